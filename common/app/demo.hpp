@@ -1,0 +1,68 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/canvas.hpp"
+#include "app/player.hpp"
+#include "run/headless.hpp"
+
+namespace bounce {
+
+/// What the user wants to see.
+struct View {
+  bool forces = false;  // all of them; gravity is always drawn
+  bool trail = true;
+  bool ghost = true;
+  bool help = false;
+  std::vector<TracePoint> future;   // with the present setting, while a slider moves
+  std::vector<TracePoint> earlier;  // with the setting before
+};
+
+/// One quantity against time.
+struct Plot {
+  std::string title;
+  std::string unit;
+  Colour colour;
+  std::function<double(const TracePoint&)> value;
+  std::function<double(const TracePoint&)> exact;  // drawn dashed below it; may be empty
+};
+
+/// A stage's demo: a simulation and its picture. Everything else - window, sliders, keys, command
+/// line, recording - is the same for all stages.
+struct Demo {
+  StageName stage;
+  std::string title;
+  std::string question;              // the one question that drives the play
+  std::vector<std::string> sliders;  // two or three parameters to begin with
+  std::function<std::unique_ptr<Simulation>()> make;
+  std::function<void(const Player&, const View&, Canvas&)> picture;
+  std::vector<Plot> plots;  // at most two
+  /// Called while the mouse button is down on the ball; empty when it cannot be dragged.
+  std::function<bool(const Player&, Point)> is_on_ball;
+  /// Puts the ball where the mouse is, with that velocity of the mouse [px/s].
+  std::function<void(Player&, Point, Point velocity)> drag;
+  /// The demo starts anew (in the window only) when this says so.
+  std::function<bool(const Player&)> is_over;
+};
+
+/// The main program of every stage: reads the command line, and runs headless or in a window.
+/// Returns the exit code.
+int play(int argc, const char* const* argv, const Demo& demo);
+
+// ---- Implemented by the window (window.cpp), or by the null app where SDL2 is missing.
+
+/// Shows the demo until the user closes it. Returns false, and says why on standard error, when there
+/// is no display.
+bool show_window(const Demo& demo, std::unique_ptr<Simulation> simulation, const Options& options);
+/// Saves what the window would show at the end of the duration. Throws MachineFailure.
+void save_picture(const Demo& demo, std::unique_ptr<Simulation> simulation, const Options& options,
+                  const std::string& path);
+/// Records what the window would show during the duration. Throws MachineFailure.
+void record_clip(const Demo& demo, std::unique_ptr<Simulation> simulation, const Options& options,
+                 const std::string& path);
+/// Whether this build can draw at all.
+bool has_window();
+
+}  // namespace bounce

@@ -1,0 +1,161 @@
+#include "app/imgui_canvas.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace bounce {
+namespace {
+
+ImU32 to_imgui(Colour c) { return IM_COL32(c.red, c.green, c.blue, c.alpha); }
+ImVec2 to_imgui(Point p) { return {p.x, p.y}; }
+
+std::vector<ImVec2> to_imgui(std::span<const Point> points) {
+  std::vector<ImVec2> all;
+  all.reserve(points.size());
+  for (const Point point : points) all.push_back(to_imgui(point));
+  return all;
+}
+
+ImDrawList& list() { return *ImGui::GetBackgroundDrawList(); }
+
+int segments(float radius) { return std::max(16, static_cast<int>(4 * std::sqrt(8 * radius))); }
+
+}  // namespace
+
+void ImGuiCanvas::load_fonts() {
+  static constexpr const char* candidates[] = {
+      "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",       // Debian, Ubuntu
+      "/usr/share/fonts/TTF/DejaVuSans.ttf",                   // Arch
+      "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",     // Fedora
+      "/System/Library/Fonts/Supplemental/Arial.ttf",          // macOS
+      "C:/Windows/Fonts/segoeui.ttf"};
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  static constexpr float sizes[] = {13, 16, 18};
+  ImFontConfig crisp;
+  crisp.OversampleH = crisp.OversampleV = 1;
+  crisp.PixelSnapH = true;
+  for (const char* path : candidates) {
+    if (!std::filesystem::exists(path)) continue;
+    // The normal size first: ImGui takes the first font for its own widgets.
+    fonts_[1] = atlas.AddFontFromFileTTF(path, sizes[1], &crisp);
+    fonts_[0] = atlas.AddFontFromFileTTF(path, sizes[0], &crisp);
+    fonts_[2] = atlas.AddFontFromFileTTF(path, sizes[2], &crisp);
+    return;
+  }
+  fonts_.fill(atlas.AddFontDefault());
+}
+
+void ImGuiCanvas::line(std::span<const Point> points, Colour colour, float width) {
+  if (points.size() < 2) return;
+  const std::vector<ImVec2> path = to_imgui(points);
+  list().AddPolyline(path.data(), static_cast<int>(path.size()), to_imgui(colour), 0, width);
+}
+
+void ImGuiCanvas::fill(std::span<const Point> convex, Colour colour) {
+  const std::vector<ImVec2> path = to_imgui(convex);
+  list().AddConvexPolyFilled(path.data(), static_cast<int>(path.size()), to_imgui(colour));
+}
+
+void ImGuiCanvas::circle(Point centre, float radius, Colour colour, float width) {
+  list().AddCircle(to_imgui(centre), radius, to_imgui(colour), segments(radius), width);
+}
+
+void ImGuiCanvas::disc(Point centre, float radius, Colour colour) {
+  list().AddCircleFilled(to_imgui(centre), radius, to_imgui(colour), segments(radius));
+}
+
+void ImGuiCanvas::text(Point at, std::string_view words, Colour colour, Align align, TextSize size) {
+  const float width = align == Align::left ? 0 : text_width(words, size);
+  const float x = align == Align::left ? at.x : align == Align::right ? at.x - width : at.x - width / 2;
+  ImFont* font = fonts_[static_cast<std::size_t>(size)];
+  list().AddText(font, font->FontSize, {std::round(x), std::round(at.y)}, to_imgui(colour), words.data(),
+                 words.data() + words.size());
+}
+
+float ImGuiCanvas::text_width(std::string_view words, TextSize size) const {
+  ImFont* font = fonts_[static_cast<std::size_t>(size)];
+  return font->CalcTextSizeA(font->FontSize, 1e9f, 0, words.data(), words.data() + words.size()).x;
+}
+
+void ImGuiCanvas::push_clip(Rect area) {
+  list().PushClipRect({area.x, area.y}, {area.right(), area.bottom()}, true);
+}
+
+void ImGuiCanvas::pop_clip() { list().PopClipRect(); }
+
+ImGuiBackend::ImGuiBackend(SDL_Renderer* renderer) : renderer_(renderer) {
+  ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;  // or it leaves an imgui.ini in the working folder
+  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+}
+
+ImGuiBackend::~ImGuiBackend() {
+  if (font_ != nullptr) SDL_DestroyTexture(font_);
+  ImGui::DestroyContext();
+}
+
+void ImGuiBackend::upload_fonts() {
+  unsigned char* pixels = nullptr;
+  int width = 0, height = 0;
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
+  font_ = SDL_CreateTexture(renderer_, SDL_PIXELFORMAT_ABGR8888, SDL_TEXTUREACCESS_STATIC, width, height);
+  SDL_UpdateTexture(font_, nullptr, pixels, 4 * width);
+  SDL_SetTextureBlendMode(font_, SDL_BLENDMODE_BLEND);
+  atlas.SetTexID(reinterpret_cast<ImTextureID>(font_));
+}
+
+void ImGuiBackend::event(const SDL_Event& event) {
+  ImGuiIO& io = ImGui::GetIO();
+  switch (event.type) {
+    case SDL_MOUSEMOTION:
+      io.MousePos = {static_cast<float>(event.motion.x), static_cast<float>(event.motion.y)};
+      break;
+    case SDL_MOUSEWHEEL: io.MouseWheel += static_cast<float>(event.wheel.y); break;
+    case SDL_MOUSEBUTTONDOWN:
+    case SDL_MOUSEBUTTONUP:
+      io.MousePos = {static_cast<float>(event.button.x), static_cast<float>(event.button.y)};
+      if (event.button.button == SDL_BUTTON_LEFT) io.MouseDown[0] = event.type == SDL_MOUSEBUTTONDOWN;
+      break;
+    default: break;
+  }
+}
+
+void ImGuiBackend::begin_frame(int width, int height) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+  io.DeltaTime = 1.0f / 60;  // fixed: the same frames every time
+  ImGui::NewFrame();
+}
+
+void ImGuiBackend::end_frame() {
+  ImGui::Render();
+  const ImDrawData& data = *ImGui::GetDrawData();
+  for (int n = 0; n < data.CmdListsCount; ++n) {
+    const ImDrawList& commands = *data.CmdLists[n];
+    for (const ImDrawCmd& command : commands.CmdBuffer) {
+      const SDL_Rect clip{static_cast<int>(command.ClipRect.x), static_cast<int>(command.ClipRect.y),
+                          static_cast<int>(command.ClipRect.z - command.ClipRect.x),
+                          static_cast<int>(command.ClipRect.w - command.ClipRect.y)};
+      if (clip.w <= 0 || clip.h <= 0) continue;
+      SDL_RenderSetClipRect(renderer_, &clip);
+      const auto* vertices = reinterpret_cast<const char*>(commands.VtxBuffer.Data + command.VtxOffset);
+      const auto at = [vertices](std::size_t offset) { return vertices + offset; };
+      SDL_RenderGeometryRaw(
+          renderer_, reinterpret_cast<SDL_Texture*>(command.GetTexID()),
+          reinterpret_cast<const float*>(at(offsetof(ImDrawVert, pos))), sizeof(ImDrawVert),
+          reinterpret_cast<const SDL_Color*>(at(offsetof(ImDrawVert, col))), sizeof(ImDrawVert),
+          reinterpret_cast<const float*>(at(offsetof(ImDrawVert, uv))), sizeof(ImDrawVert),
+          commands.VtxBuffer.Size - static_cast<int>(command.VtxOffset),
+          commands.IdxBuffer.Data + command.IdxOffset, static_cast<int>(command.ElemCount),
+          sizeof(ImDrawIdx));
+    }
+  }
+  SDL_RenderSetClipRect(renderer_, nullptr);
+}
+
+}  // namespace bounce

@@ -1,0 +1,50 @@
+#pragma once
+#include <SDL.h>
+#include <imgui.h>
+
+#include <array>
+
+#include "app/canvas.hpp"
+
+namespace bounce {
+
+/// Canvas over Dear ImGui's background draw list: its lines and shapes are anti-aliased, which those of
+/// SDL_Renderer are not.
+class ImGuiCanvas final : public Canvas {
+ public:
+  /// One font per TextSize; built-in ones where DejaVu Sans is not on the system.
+  void load_fonts();
+
+  void line(std::span<const Point> points, Colour colour, float width) override;
+  void fill(std::span<const Point> convex, Colour colour) override;
+  void circle(Point centre, float radius, Colour colour, float width) override;
+  void disc(Point centre, float radius, Colour colour) override;
+  void text(Point at, std::string_view words, Colour colour, Align align, TextSize size) override;
+  float text_width(std::string_view words, TextSize size) const override;
+  void push_clip(Rect area) override;
+  void pop_clip() override;
+
+ private:
+  std::array<ImFont*, 3> fonts_{};
+};
+
+/// Dear ImGui on SDL_Renderer. The library ships a backend of its own, but not in every package
+/// (Debian's lacks it), and its name changes between versions; this one needs SDL 2.0.18 and ImGui 1.86.
+class ImGuiBackend {
+ public:
+  explicit ImGuiBackend(SDL_Renderer* renderer);
+  ~ImGuiBackend();
+  ImGuiBackend(const ImGuiBackend&) = delete;
+  ImGuiBackend& operator=(const ImGuiBackend&) = delete;
+
+  void upload_fonts();  // after all fonts are loaded
+  void event(const SDL_Event& event);
+  void begin_frame(int width, int height);
+  void end_frame();  // draws
+
+ private:
+  SDL_Renderer* renderer_;
+  SDL_Texture* font_ = nullptr;
+};
+
+}  // namespace bounce

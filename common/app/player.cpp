@@ -1,0 +1,182 @@
+#include "app/player.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "physics/event_driven.hpp"
+#include "run/headless.hpp"
+
+namespace bounce {
+namespace {
+
+constexpr double trace_interval = 1.0 / 240;  // s between trace points, unless a step is longer
+constexpr double longest_frame = 0.1;         // s of the clock that one frame may catch up
+constexpr double frame_budget = 0.012;        // s of computing in one frame
+constexpr std::size_t trace_length = 60 * 240;
+constexpr std::size_t past_length = 60 * 60;
+constexpr double lens_contact_time = 1.0;     // s on the clock that a contact takes in the lens
+
+}  // namespace
+
+Player::Player(std::unique_ptr<Simulation> simulation) : simulation_(std::move(simulation)) {
+  simulation_->keep_energy_book(true);
+  simulation_->parameters_changed();  // opens the book
+  shown_time_ = simulation_->time();
+  remember();
+}
+
+TracePoint Player::point(const Simulation& simulation) {
+  return {simulation.time(),           simulation.values(),        simulation.exact_values(simulation.time()),
+          simulation.energy(),         simulation.energy_before(), simulation.energy_lost()};
+}
+
+void Player::remember() {
+  trace_.push_back(point(*simulation_));
+  if (trace_.size() > trace_length) trace_.pop_front();
+}
+
+void Player::forget_after(double t) {
+  while (!trace_.empty() && trace_.back().t > t) trace_.pop_back();
+  while (!past_.empty() && past_.back()->time() >= t) past_.pop_back();
+}
+
+void Player::frame(double real_seconds) {
+  current_rate_ = rate;
+  if (paused || !trouble_.empty()) return;
+  past_.push_back(simulation_->clone());
+  if (past_.size() > past_length) past_.pop_front();
+
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  double left = std::min(real_seconds, longest_frame);
+  keeps_up_ = true;
+  while (left > 0 && trouble_.empty()) {
+    const std::optional<ContactNumbers> contact = simulation_->contact();
+    const bool slow = contact_lens && contact && in_contact();
+    current_rate_ = rate;
+    if (slow) {
+      const double contact_time = std::numbers::pi / contact->omega0;
+      current_rate_ = std::min(rate, contact_time / lens_contact_time);
+    }
+    double piece = std::min(left, trace_interval / std::max(1.0, current_rate_));
+    // With the lens on, come close to a touch in small pieces, not to jump through half of it.
+    if (contact_lens && contact) piece = std::min(piece, 1e-3);
+    move_to(shown_time_ + piece * current_rate_);
+    left -= piece;
+    if (std::chrono::duration<double>(Clock::now() - begin).count() > frame_budget) {
+      keeps_up_ = left <= 0;
+      break;
+    }
+  }
+}
+
+void Player::move_to(double t) {
+  try {
+    if (simulation_->method() == Method::exact) {
+      simulation_->advance_to(t);
+      remember();
+    } else if (simulation_->time() < t) {
+      const double steps = std::ceil((t - simulation_->time()) / simulation_->dt() - 1e-9);
+      simulation_->advance_to(simulation_->time_of_next_step() +
+                              std::max(0.0, steps - 1) * simulation_->dt());
+      remember();
+    }
+    shown_time_ = t;
+  } catch (const NonFinite& error) {
+    trouble_ = "The state became infinite at t = " + to_rounded_text(error.t) + " s. " +
+               step_warning(*simulation_);
+  } catch (const TimeStandsStill& error) {
+    trouble_ = "Events no longer advance time at t = " + to_rounded_text(error.t) + " s.";
+  }
+}
+
+std::vector<double> Player::shown_values() const {
+  std::vector<double> values = trace_.back().values;
+  if (trace_.size() < 2) return values;
+  const TracePoint& before = trace_[trace_.size() - 2];
+  const TracePoint& after = trace_.back();
+  const double span = after.t - before.t;
+  if (!(span > 0) || shown_time_ >= after.t) return values;
+  const double share = std::clamp((shown_time_ - before.t) / span, 0.0, 1.0);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = before.values[i] + share * (after.values[i] - before.values[i]);
+  }
+  return values;
+}
+
+void Player::step_forward() {
+  paused = true;
+  if (!trouble_.empty()) return;
+  past_.push_back(simulation_->clone());
+  const bool exact = simulation_->method() == Method::exact;
+  move_to(exact ? simulation_->time() + simulation_->dt() : simulation_->time_of_next_step());
+}
+
+void Player::step_back() {
+  paused = true;
+  // The last copy before now, and from there forward again: the same steps give the same bits.
+  const double target = simulation_->time() - simulation_->dt();
+  if (target < earliest() - 1e-9 * simulation_->dt()) return;
+  go_back_to(target);
+}
+
+double Player::earliest() const {
+  return past_.empty() ? simulation_->time() : past_.front()->time();
+}
+
+void Player::go_back_to(double t) {
+  trouble_.clear();
+  const double tolerance = 1e-6 * simulation_->dt();
+  while (past_.size() > 1 && past_.back()->time() > t + tolerance) past_.pop_back();
+  if (past_.empty()) return;
+  simulation_ = past_.back()->clone();
+  past_.pop_back();
+  forget_after(simulation_->time());
+  if (trace_.empty() || trace_.back().t < simulation_->time()) remember();
+  shown_time_ = simulation_->time();
+  if (past_.empty()) past_.push_back(simulation_->clone());
+  if (t > simulation_->time() + tolerance) {
+    past_.push_back(simulation_->clone());
+    move_to(t);
+  }
+}
+
+void Player::restart() {
+  trouble_.clear();
+  trace_.clear();
+  past_.clear();
+  simulation_->restart();
+  shown_time_ = 0;
+  remember();
+}
+
+void Player::change(const std::function<void(Simulation&)>& edit, bool start_anew) {
+  edit(*simulation_);
+  if (start_anew) return restart();
+  trouble_.clear();
+  simulation_->parameters_changed();
+}
+
+std::vector<TracePoint> Player::future(double seconds) const {
+  const std::unique_ptr<Simulation> ahead = simulation_->clone();
+  const double end = ahead->time() + seconds;
+  std::vector<TracePoint> points;
+  try {
+    const bool exact = ahead->method() == Method::exact;
+    const double stride = exact ? trace_interval : std::max(ahead->dt(), trace_interval);
+    constexpr double most_steps = 2e5;  // about a millisecond
+    const double reach = exact ? end : std::min(end, ahead->time() + most_steps * ahead->dt());
+    while (ahead->time() < reach && points.size() < 4000) {
+      points.push_back(point(*ahead));
+      const double whole = std::max(1.0, std::round(stride / ahead->dt()));
+      ahead->advance_to(exact ? ahead->time() + stride
+                              : ahead->time_of_next_step() + (whole - 1) * ahead->dt());
+    }
+  } catch (const std::exception&) {  // the path ends where the run would
+  }
+  return points;
+}
+
+}  // namespace bounce

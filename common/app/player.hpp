@@ -1,0 +1,81 @@
+#pragma once
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "run/simulation.hpp"
+
+namespace bounce {
+
+/// One moment of a run, as the pictures and plots need it.
+struct TracePoint {
+  double t;                    // s
+  std::vector<double> values;  // as in the CSV trace, without t
+  std::vector<double> exact;   // the exact solution's; empty where there is none
+  Energy energy;               // J
+  double before;               // energy at the start of the book [J]
+  double lost;                 // taken by the damper since then [J]
+  /// Neither here nor taken: the method's error [J].
+  double energy_error() const { return energy.total() + lost - before; }
+};
+
+/// Plays a simulation on a clock: runs, pauses, steps, goes back, slows down. It knows no window. The
+/// physics always moves by whole steps of its own dt; only the clock is slowed or stopped. One
+/// frame takes in at most 0.1 s of real time, so that a stall cannot make it explode or jump.
+class Player {
+ public:
+  explicit Player(std::unique_ptr<Simulation> simulation);
+
+  Simulation& simulation() { return *simulation_; }
+  const Simulation& simulation() const { return *simulation_; }
+
+  /// Moves on by `real_seconds` of the clock.
+  void frame(double real_seconds);
+
+  bool paused = false;
+  double rate = 1;            // simulated seconds per second of the clock
+  bool contact_lens = false;  // slow down in contact, so that it lasts about a second
+  double current_rate() const { return current_rate_; }  // with the lens
+  bool keeps_up() const { return keeps_up_; }            // false: computing is slower than the clock
+
+  void step_forward();  // one step; pauses
+  void step_back();     // one step; pauses
+  void restart();
+  void go_back_to(double t);  // to a moment that is still remembered
+  double earliest() const;    // [s]
+
+  /// Changes parameters, method or state in the middle of the run, or restarts when asked to.
+  void change(const std::function<void(Simulation&)>& edit, bool start_anew = false);
+
+  /// Where the picture stands [s]: between the last two steps, so that slow motion is smooth.
+  double shown_time() const { return shown_time_; }
+  /// Values at the shown time, on the straight line between the last two steps.
+  std::vector<double> shown_values() const;
+
+  const std::deque<TracePoint>& trace() const { return trace_; }  // the last minute or so
+
+  /// What would happen from here, `seconds` ahead, with the present parameters.
+  std::vector<TracePoint> future(double seconds) const;
+
+  /// Not empty when the run had to stop: a sentence for the screen.
+  const std::string& trouble() const { return trouble_; }
+
+ private:
+  bool in_contact() const { return simulation_->energy().spring > 0; }
+  void move_to(double t);
+  void remember();
+  void forget_after(double t);
+  static TracePoint point(const Simulation& simulation);
+
+  std::unique_ptr<Simulation> simulation_;
+  std::deque<TracePoint> trace_;
+  std::deque<std::unique_ptr<Simulation>> past_;  // one copy a frame
+  double shown_time_ = 0;
+  double current_rate_ = 1;
+  bool keeps_up_ = true;
+  std::string trouble_;
+};
+
+}  // namespace bounce

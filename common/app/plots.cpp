@@ -1,0 +1,152 @@
+#include "app/plots.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "app/drawing.hpp"
+#include "app/palette.hpp"
+
+namespace bounce {
+namespace {
+
+constexpr double window_length = 4;  // s
+
+/// The next of 1, 2, 5 x 10^n from `value` outwards, keeping its sign.
+double outward(double value) {
+  if (value == 0 || !std::isfinite(value)) return 0;
+  const double power = std::pow(10, std::floor(std::log10(std::abs(value))));
+  for (const double mantissa : {1.0, 2.0, 5.0}) {
+    if (std::abs(value) <= mantissa * power * (1 + 1e-9)) return std::copysign(mantissa * power, value);
+  }
+  return std::copysign(10 * power, value);
+}
+
+std::string tick_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+}  // namespace
+
+void PlotView::draw(Canvas& canvas, Rect area, const Plot& plot, const Player& player) {
+  const double now = player.shown_time();
+  if (now < last_time_) top_ = bottom_ = 0;
+  last_time_ = now;
+  const double from = std::max(0.0, now - window_length), to = from + window_length;
+  const Rect box{area.x + 56, area.y + 26, area.width - 56 - 72, area.height - 26 - 26};
+
+  std::vector<const TracePoint*> points;
+  for (const TracePoint& point : player.trace()) {
+    if (point.t >= from - 0.05 && point.t <= now) points.push_back(&point);
+  }
+  for (const TracePoint* point : points) {
+    const double value = plot.value(*point);
+    if (!std::isfinite(value)) continue;
+    if (value > top_) top_ = outward(value);
+    if (value < bottom_) bottom_ = outward(value);
+  }
+  const double top = top_ == bottom_ ? 1 : top_, bottom = bottom_;
+  const auto at = [&](double t, double value) {
+    return Point{box.x + static_cast<float>((t - from) / (to - from)) * box.width,
+                 box.bottom() - static_cast<float>((value - bottom) / (top - bottom)) * box.height};
+  };
+
+  canvas.text({box.x, area.y + 6}, plot.title, palette::ink, Align::left, TextSize::normal);
+  canvas.text({box.x + canvas.text_width(plot.title, TextSize::normal) + 8, area.y + 8}, plot.unit,
+              palette::exact, Align::left, TextSize::tick);
+  for (const double value : ticks(bottom, top, 3)) {
+    const std::array<Point, 2> line{at(from, value), at(to, value)};
+    canvas.line(line, value == 0 ? palette::exact : palette::grid_major, 1);
+    canvas.text({box.x - 6, line[0].y - 8}, tick_text(value), palette::ink, Align::right,
+                TextSize::tick);
+  }
+  for (const double t : ticks(from, to, 4)) {
+    const std::array<Point, 2> line{at(t, bottom), at(t, top)};
+    canvas.line(line, palette::grid_minor, 1);
+    canvas.text({line[0].x, box.bottom() + 4}, tick_text(t) + " s", palette::exact, Align::centre,
+                TextSize::tick);
+  }
+
+  canvas.push_clip({box.x - 1, box.y - 2, box.width + 2, box.height + 4});
+  std::vector<Point> curve, exact;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const TracePoint& point = *points[i];
+    if (i > 0 && point.energy.spring > 0) {
+      const float left = at(points[i - 1]->t, 0).x, right = at(point.t, 0).x;
+      draw_rect(canvas, {left, box.y, std::max(1.0f, right - left), box.height},
+                palette::spring.faded(0.08));
+    }
+    if (std::isfinite(plot.value(point))) curve.push_back(at(point.t, plot.value(point)));
+    if (plot.exact && !point.exact.empty()) exact.push_back(at(point.t, plot.exact(point)));
+  }
+  canvas.line(curve, plot.colour, 2);
+  draw_dashed(canvas, exact, palette::exact, 1.5f);
+  canvas.pop_clip();
+
+  if (!curve.empty()) {
+    const Point end = curve.back();
+    canvas.disc(end, 3.5f, plot.colour);
+    char text[32];
+    std::snprintf(text, sizeof text, "%+.3g", plot.value(*points.back()) + 0.0);
+    const float y = std::clamp(end.y, box.y, box.bottom());
+    draw_label(canvas, {box.right() + 8, y - 8}, text, palette::ink, Align::left, TextSize::normal);
+  }
+}
+
+void draw_energy_column(Canvas& canvas, Rect area, const TracePoint& now) {
+  struct Part {
+    double energy;
+    Colour colour;
+    const char* name;
+  };
+  const std::array<Part, 4> parts{{{now.energy.gravitational, palette::gravity, "height"},
+                                   {now.energy.spring, palette::spring, "spring"},
+                                   {now.energy.kinetic, palette::motion, "motion"},
+                                   {now.lost, palette::damper, "lost"}}};
+  const double scale = std::max(std::abs(now.before), 1e-300);
+  const float full = area.height * 0.52f, ground = area.bottom() - 92;
+  const Rect column{area.x + 12, ground - full, 34, full};
+  canvas.text({area.x + 12, area.y + 12}, "energy", palette::ink, Align::left, TextSize::normal);
+
+  canvas.push_clip({area.x, area.y + 78, area.width, ground - area.y - 77});
+  float y = ground;
+  for (const Part& part : parts) {
+    const auto height = static_cast<float>(std::min(3.0, std::max(0.0, part.energy) / scale)) * full;
+    draw_rect(canvas, {column.x, y - height, column.width, height}, part.colour);
+    if (&part == &parts[3]) {  // hatched: this energy is gone
+      for (float line = y - height; line < y; line += 6) {
+        const std::array<Point, 2> hatch{{{column.x, line + 6}, {column.right(), line}}};
+        canvas.line(hatch, palette::paper.faded(0.7), 1);
+      }
+    }
+    y -= height;
+  }
+  draw_frame(canvas, column, palette::ink, 1.5f);
+
+  // The hair: error x 100, from the top of the outline.
+  const double error = now.energy_error() / scale;
+  const float x = column.right() + 12;
+  const float tip = column.y - static_cast<float>(std::clamp(100 * error, -1.0, 0.28)) * full;
+  const std::array<Point, 2> zero{{{column.right(), column.y}, {x + 6, column.y}}};
+  canvas.line(zero, palette::ink, 1);
+  draw_arrow(canvas, {x, column.y}, {x, tip}, palette::ink);
+  canvas.pop_clip();
+
+  char text[32];
+  std::snprintf(text, sizeof text, "%+.*g %%", std::abs(error) < 1 ? 2 : 3, 100 * error);
+  canvas.text({area.x + 4, area.y + 34}, "error", palette::ink, Align::left, TextSize::tick);
+  canvas.text({area.x + 4, area.y + 48}, std::abs(error) < 1e-9 ? "0 %" : text, palette::ink,
+              Align::left, TextSize::tick);
+  canvas.text({area.x + 4, area.y + 62}, "arrow: x100", palette::exact, Align::left, TextSize::tick);
+  y = ground + 10;
+  for (const Part& part : parts) {
+    draw_rect(canvas, {area.x + 6, y + 3, 10, 10}, part.colour);
+    canvas.text({area.x + 22, y}, part.name, palette::ink, Align::left, TextSize::tick);
+    y += 18;
+  }
+}
+
+}  // namespace bounce

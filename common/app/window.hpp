@@ -1,0 +1,73 @@
+#pragma once
+#include <SDL.h>
+
+#include <deque>
+#include <memory>
+
+#include "app/demo.hpp"
+#include "app/imgui_canvas.hpp"
+#include "app/panel.hpp"
+#include "app/picture_files.hpp"
+#include "app/plots.hpp"
+
+namespace bounce {
+
+/// SDL's video, for as long as this object lives. Throws MachineFailure when it does not start.
+class Video {
+ public:
+  explicit Video(bool seen);  // not seen: draws in memory, on any machine
+  ~Video();
+  Video(const Video&) = delete;
+  Video& operator=(const Video&) = delete;
+};
+
+/// One demo in one window. All that happens in a frame happens in `tick`, so that whoever owns the loop
+/// (this program, or a browser) only has to call it.
+class Window {
+ public:
+  Window(const Demo& demo, std::unique_ptr<Simulation> simulation, const Options& options, bool seen);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  /// One frame: events, `real_seconds` of movement, picture. Returns false when the user closed it.
+  bool tick(double real_seconds);
+
+  Player& player() { return player_; }
+  View& view() { return view_; }
+  Pixels pixels() const { return pixels_; }  // of the last frame, where `keep_pixels` was asked for
+  bool keep_pixels = false;
+
+ private:
+  void handle(const SDL_Event& event);
+  void key(SDL_Keycode key);
+  void drag();
+  void draw();
+  void draw_help();
+  void read_pixels();
+
+  const Demo& demo_;
+  bool seen_;
+  Video video_;
+  SDL_Window* window_ = nullptr;
+  SDL_Renderer* renderer_ = nullptr;
+  std::unique_ptr<ImGuiBackend> backend_;
+  ImGuiCanvas canvas_;
+  Player player_;
+  View view_;
+  std::unique_ptr<Panel> panel_;
+  PlotView plots_[2];
+
+  struct MouseSample {
+    double t;
+    Point at;
+  };
+  std::deque<MouseSample> mouse_;  // while the ball is held, the last 80 ms
+  bool holding_ = false;
+  double clock_ = 0;  // real seconds since the start
+  bool closed_ = false;
+  std::string screenshot_;  // wanted after this frame
+  Pixels pixels_;
+};
+
+}  // namespace bounce

@@ -1,0 +1,204 @@
+#include "run/headless.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <iostream>
+#include <optional>
+
+#include "physics/event_driven.hpp"
+#include "physics/stability.hpp"
+#include "run/output_file.hpp"
+#include "run/save_load.hpp"
+
+namespace bounce {
+namespace {
+
+std::atomic<bool> interrupted{false};
+extern "C" void on_interrupt(int) { interrupted = true; }
+
+/// The trace: a header, then rows of `t` and the state in decimals that read back to the same bits.
+class Trace {
+ public:
+  Trace(const std::string& path, const Simulation& simulation)
+      : file_("--csv", path), columns_(simulation.columns()) {
+    file_.write("t," + join(columns_, ",") + "\n");
+  }
+  void write(const Simulation& simulation) {
+    const std::vector<double> values = simulation.values();
+    std::string rows;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (i % columns_.size() == 0) rows += to_text(simulation.time());
+      rows += ',';
+      rows += to_text(values[i]);
+      if ((i + 1) % columns_.size() == 0) rows += "\n";
+    }
+    file_.write(rows);
+  }
+  void finish() { file_.finish(); }
+
+ private:
+  OutputFile file_;
+  std::vector<std::string> columns_;
+};
+
+/// The times of the trace rows: those of --at, or every --sample, or every step (event for `exact`).
+class RowTimes {
+ public:
+  RowTimes(const Options& options, double start) : options_(options) {
+    if (options.sample > 0) n_ = static_cast<std::size_t>(std::ceil(start / options.sample));
+  }
+
+  /// The next one [s], not before the simulation's time; nothing when there are no more.
+  std::optional<double> next(const Simulation& simulation) {
+    const double end = options_.duration;
+    if (!options_.at.empty()) {
+      if (n_ == options_.at.size()) return std::nullopt;
+      return options_.at[n_++];
+    }
+    if (options_.sample > 0) {
+      const double t = static_cast<double>(n_++) * options_.sample;
+      if (t > end + 1e-9 * options_.sample) return std::nullopt;
+      return std::min(t, end);
+    }
+    if (n_++ == 0) return simulation.time();
+    if (simulation.time() >= end) return std::nullopt;
+    if (simulation.method() == Method::exact) return std::min(simulation.next_event(), end);
+    const double t = simulation.time_of_next_step();
+    return t > end - 1e-6 * simulation.dt() ? end : t;
+  }
+
+ private:
+  const Options& options_;
+  std::size_t n_ = 0;
+};
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// "name=value" pairs in one line, for people and for programs.
+std::string summary(const StageName& stage, Simulation& simulation, double start, double wall,
+                    double stepping, double energy_at_start,
+                    long long steps_at_start) {
+  std::string line = stage.name + ": method=" + name_of(simulation.method());
+  const auto say = [&line](const std::string& name, double value) {
+    line += " " + name + "=" + to_rounded_text(value, 4);
+  };
+  const long long steps = simulation.steps() - steps_at_start;
+  if (simulation.method() != Method::exact) line += " dt=" + to_text(simulation.dt());
+  say("simulated_s", simulation.time() - start);
+  say("wall_s", wall);
+  line += " steps=" + std::to_string(steps);
+  const int each = force_evaluations_per_step(simulation.method());
+  line += " force_evaluations=" + std::to_string(steps * each);
+  if (steps > 0) say("ns_per_step", stepping / static_cast<double>(steps) * 1e9);
+  // Against the exact solution's energy, so that what the damper takes is no drift.
+  const double reference = simulation.exact_energy().value_or(energy_at_start);
+  const double scale = std::abs(energy_at_start) > 0 ? std::abs(energy_at_start) : 1;
+  say("energy_drift", (simulation.energy().total() - reference) / scale);
+  if (const std::optional<StateError> error = simulation.error()) {
+    say("position_error_m", error->position);
+    say("velocity_error_m_per_s", error->velocity);
+  }
+  return line;
+}
+
+}  // namespace
+
+int run_headless(const StageName& stage, Simulation& simulation, const Options& options) {
+  std::optional<Trace> trace;
+  if (!options.csv.empty()) trace.emplace(options.csv, simulation);
+  if (!options.save.empty()) OutputFile("--save", options.save);  // refuse now, not after the run
+  if (const std::string warning = step_warning(simulation); !warning.empty()) {
+    std::cerr << stage.name << ": warning: " << warning << "\n";
+  }
+  interrupted = false;
+  std::signal(SIGINT, on_interrupt);
+
+  const double start = simulation.time();
+  const double energy_at_start = simulation.energy().total();
+  const long long steps_at_start = simulation.steps();
+  const Clock::time_point begin = Clock::now();
+  double stepping = 0;
+  const auto advance = [&](double t) {
+    while (simulation.time() < t && !interrupted) {  // in strides, so that Ctrl-C is heard
+      const Clock::time_point now = Clock::now();
+      simulation.advance_to(std::min(t, simulation.time() + 1e7 * simulation.dt()));
+      stepping += seconds_since(now);
+    }
+  };
+
+  try {
+    if (trace) {
+      RowTimes rows(options, start);
+      for (auto t = rows.next(simulation); t && !interrupted; t = rows.next(simulation)) {
+        advance(*t);
+        if (simulation.time() == *t) trace->write(simulation);
+      }
+    }
+    advance(options.duration);
+  } catch (...) {
+    if (trace) trace->finish();  // the rows up to the last good state tell what happened
+    throw;
+  }
+  if (trace) trace->finish();
+  if (!options.save.empty()) save_state(options.save, stage, simulation);
+  std::cerr << summary(stage, simulation, start, seconds_since(begin), stepping, energy_at_start,
+                       steps_at_start)
+            << "\n";
+  if (!interrupted) return exit_ok;
+  std::cerr << stage.name << ": interrupted at t = " << to_rounded_text(simulation.time(), 6)
+            << " s; what was computed until then is kept\n";
+  return exit_interrupted;
+}
+
+std::string step_warning(const Simulation& simulation) {
+  const std::optional<ContactNumbers> contact = simulation.contact();
+  if (!contact || simulation.method() == Method::exact) return "";
+  const double limit = largest_stable_step(simulation.method(), contact->omega0, contact->zeta);
+  if (simulation.dt() <= limit) return "";
+  double comfortable = comfortable_step(contact->omega0, contact->zeta);
+  if (limit > 0) comfortable = std::min(comfortable, limit / 2);
+  const std::string good = to_rounded_text(comfortable, 2);
+  if (limit == 0) {
+    return name_of(simulation.method()) +
+           " gains energy on an undamped spring at every time step: take semi-implicit-euler with "
+           "dt = " + good + " s";
+  }
+  return "dt = " + to_rounded_text(simulation.dt()) + " s is too large: " +
+         name_of(simulation.method()) + " is stable up to " + to_rounded_text(limit) +
+         " s on this contact, and good to look at with " + good + " s";
+}
+
+int guarded(const StageName& stage, const Simulation& simulation, const std::function<int()>& work) {
+  const auto say = [&](const std::string& sentence) {
+    std::cerr << stage.name << ": " << sentence << "\n";
+  };
+  try {
+    return work();
+  } catch (const BadInput& error) {
+    say(error.what());
+    return exit_input;
+  } catch (const MachineFailure& error) {
+    say(error.what());
+    return exit_machine;
+  } catch (const NonFinite& error) {
+    const std::string advice = step_warning(simulation);
+    say("the state became non-finite after t = " + to_rounded_text(error.t, 6) + " s" +
+        (advice.empty() ? std::string(": the parameters leave the range of double precision")
+                        : ": " + advice));
+    return exit_physics;
+  } catch (const TimeStandsStill& error) {
+    say("events no longer advance time at t = " + to_rounded_text(error.t, 6) +
+        " s: take a stepping method, such as --method semi-implicit-euler");
+    return exit_physics;
+  } catch (const std::exception& error) {
+    say(std::string("stopped: ") + error.what());
+    return exit_machine;
+  }
+}
+
+}  // namespace bounce

@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace bounce {
+
+/// The ways to move time that a stage can offer. `exact` is no stepping method: it walks from event
+/// to event by formula.
+enum class Method { explicit_euler, semi_implicit_euler, velocity_verlet, rk4, exact };
+
+/// The name on the command line: "semi-implicit-euler".
+std::string name_of(Method method);
+
+/// How often a step asks for the acceleration; 0 for `exact`, which never does.
+int force_evaluations_per_step(Method method);
+
+/// The largest stable step [s] on a contact with these numbers; infinity for `exact`.
+double largest_stable_step(Method method, double omega0, double zeta);
+
+/// The method of that name among those that the stage offers. Throws BadInput.
+Method find_method(const std::string& name, const std::vector<Method>& offered);
+
+/// "a, b, c"
+std::string names_of(const std::vector<Method>& methods);
+
+}  // namespace bounce

@@ -1,0 +1,219 @@
+#include "run/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+
+#include "physics/stability.hpp"
+#include "run/save_load.hpp"
+
+namespace bounce {
+namespace {
+
+constexpr double most_steps = 1e11;
+constexpr double most_rows = 1e8;
+
+double number(const std::string& option, const std::string& text, Range valid, const char* unit) {
+  const std::optional<double> value = parse_number(text);
+  if (value && valid.contains(*value)) return *value;
+  throw BadInput(option + " '" + text + "' is not allowed: it must be a number from " +
+                 to_text(valid.lowest) + " to " + to_text(valid.highest) + unit);
+}
+
+/// The words of the command line as they came; checked later, so that all messages are ours.
+struct Words {
+  std::string method, dt, duration, tolerance, sample, at, seed;
+  std::vector<std::string> set;
+};
+
+void declare(CLI::App& app, Words& words, Options& options, bool& list) {
+  app.set_help_flag("-h,--help", "this page");
+  app.add_option("--method", words.method, "how time is moved; --list names the methods")
+      ->type_name("NAME");
+  app.add_option("--dt", words.dt,
+                 "time step (default 0.001); auto: a twentieth of the largest stable step of the "
+                 "slides' loop")
+      ->type_name("S|auto");
+  app.add_option("--tolerance", words.tolerance, "error control of the method 'reference'")
+      ->type_name("T");
+  app.add_option("--duration", words.duration, "simulated seconds (default 10)")->type_name("S");
+  app.add_option("--set", words.set, "set a parameter; may be given more than once")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  app.add_flag("--list", list, "show methods and parameters, with units and valid values");
+  app.add_flag("--headless", options.headless, "run without a window, as fast as possible");
+  app.add_option("--csv", options.csv, "write the trace; '-' is standard output (no window)")
+      ->type_name("FILE|-");
+  app.add_option("--sample", words.sample, "trace rows at 0, S, 2 S, ... instead of every step")
+      ->type_name("S");
+  app.add_option("--at", words.at, "trace rows at exactly these times")->type_name("T1,T2,...");
+  app.add_option("--screenshot", options.screenshot, "the picture at the end of --duration (no window)")
+      ->type_name("FILE.png");
+  app.add_option("--record", options.record, "a clip of --duration; needs ffmpeg (no window)")
+      ->type_name("FILE.gif|FILE.mp4");
+  app.add_option("--save", options.save, "save the state at the end of the run")->type_name("FILE");
+  app.add_option("--load", options.load, "go on from a saved state")->type_name("FILE");
+  app.add_option("--seed", words.seed, "for scenes with chance in them (default 1)")->type_name("N");
+  app.add_flag("--calm", options.calm, "no trail and nothing that flashes or shakes");
+  app.allow_extras();  // to say ourselves what was not understood
+}
+
+[[noreturn]] void refuse_extra(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> known;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  }
+  if (word.rfind("-", 0) != 0) {
+    throw BadInput("'" + word + "' is not understood: options begin with --, such as --set " +
+                   (word.find('=') == std::string::npos ? "NAME=VALUE" : word));
+  }
+  const std::string name = word.substr(0, word.find('='));
+  throw BadInput("there is no option " + name + did_you_mean(name, known) +
+                 ": --help shows all options");
+}
+
+void set_parameters(const std::vector<std::string>& settings, Simulation& simulation) {
+  const std::vector<Parameter> parameters = simulation.parameters();
+  for (const std::string& setting : settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos) {
+      throw BadInput("--set '" + setting + "' is not allowed: it must be NAME=VALUE, such as --set " +
+                     parameters[0].name + "=" + parameters[0].text());
+    }
+    find_parameter(parameters, setting.substr(0, equals)).set(setting.substr(equals + 1));
+  }
+}
+
+double step_from(const std::string& text, const Simulation& simulation) {
+  if (text != "auto") {
+    const std::optional<double> value = parse_number(text);
+    if (value && *value >= 1e-15 && *value <= 1e15) return *value;
+    throw BadInput("--dt '" + text +
+                   "' is not allowed: it must be a number from 1e-15 to 1e15 (s), or auto");
+  }
+  const std::optional<ContactNumbers> contact = simulation.contact();
+  return contact ? comfortable_step(contact->omega0, contact->zeta) : simulation.dt();
+}
+
+void read_times(const Words& words, Options& options, double start) {
+  if (!words.duration.empty())
+    options.duration = number("--duration", words.duration, {1e-15, 1e15}, " (s)");
+  if (options.duration <= start) {
+    throw BadInput("--duration " + to_text(options.duration) +
+                   " is not allowed: the saved run stands at " + to_text(start) +
+                   " s, and the duration counts from 0");
+  }
+  if (!words.sample.empty())
+    options.sample = number("--sample", words.sample, {1e-15, 1e15}, " (s)");
+  if (!words.at.empty()) {
+    if (options.sample > 0) throw BadInput("--at and --sample exclude each other: give one of them");
+    for (const std::string& text : split(words.at)) {
+      options.at.push_back(number("--at", text, {start, options.duration}, " (s, the --duration)"));
+    }
+    std::sort(options.at.begin(), options.at.end());
+  }
+}
+
+void check_size(const Options& options, const Simulation& simulation) {
+  const bool stepping = simulation.method() != Method::exact;
+  const double steps = options.duration / simulation.dt();
+  if (stepping && steps > most_steps) {
+    throw BadInput("--dt " + to_text(simulation.dt()) + " with --duration " +
+                   to_text(options.duration) + " is not allowed: that is " + to_rounded_text(steps) +
+                   " steps, and a run may have at most 1e11");
+  }
+  if (options.csv.empty()) return;
+  const double rows = !options.at.empty()  ? static_cast<double>(options.at.size())
+                      : options.sample > 0 ? options.duration / options.sample
+                      : stepping           ? steps
+                                           : 0;
+  if (rows > most_rows) {
+    throw BadInput("--csv would get " + to_rounded_text(rows) +
+                   " rows, and at most 1e8 are allowed: give a longer --sample or some --at times");
+  }
+}
+
+}  // namespace
+
+bool parse_command_line(int argc, const char* const* argv, const StageName& stage,
+                        Simulation& simulation, Options& options) {
+  CLI::App app(stage.about, stage.name);
+  Words words;
+  bool list = false;
+  declare(app, words, options, list);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    std::cout << app.help();
+    return false;
+  } catch (const CLI::ParseError& error) {
+    // "--dt: 1 required S|auto missing" and the like
+    throw BadInput(std::string(error.what()) + ": an option takes one value; --help shows them all");
+  }
+  if (!app.remaining().empty()) refuse_extra(app, app.remaining().front());
+
+  if (list) {
+    std::cout << list_text(stage, simulation);
+    return false;
+  }
+  set_parameters(words.set, simulation);
+  if (!words.method.empty()) {
+    simulation.use_method(find_method(words.method, simulation.methods()));
+  }
+  if (!words.dt.empty()) simulation.use_dt(step_from(words.dt, simulation));
+  simulation.restart();
+  if (!options.load.empty()) {
+    if (!words.method.empty() || !words.dt.empty() || !words.set.empty()) {
+      throw BadInput("--load brings its own method, time step and parameters: leave out --method, "
+                     "--dt and --set");
+    }
+    load_state(options.load, stage, simulation);
+  }
+  if (!words.tolerance.empty()) {
+    options.tolerance = number("--tolerance", words.tolerance, {1e-15, 1}, "");
+  }
+  if (!words.seed.empty()) {
+    const double seed = number("--seed", words.seed, {0, 1e15}, "");
+    options.seed = static_cast<std::uint64_t>(seed);
+    if (static_cast<double>(options.seed) != seed) {
+      throw BadInput("--seed '" + words.seed + "' is not allowed: it must be a whole number");
+    }
+  }
+  read_times(words, options, simulation.time());
+  check_size(options, simulation);
+  options.headless |= !options.csv.empty() || !options.screenshot.empty() ||
+                      !options.record.empty() || !words.at.empty() || options.sample > 0;
+  return true;
+}
+
+std::string list_text(const StageName& stage, Simulation& fresh) {
+  std::string text = stage.name + ": " + stage.about + "\n\nmethods: " + names_of(fresh.methods()) +
+                     " (default: " + name_of(Method::semi_implicit_euler) + ")\n\n";
+  const auto row = [&text](const std::string& name, const std::string& unit, const std::string& value,
+                           const std::string& valid, const std::string& meaning) {
+    char line[300];
+    std::snprintf(line, sizeof line, "%-10s %-6s %-8s %-32s %s\n", name.c_str(), unit.c_str(),
+                  value.c_str(), valid.c_str(), meaning.c_str());
+    text += line;
+  };
+  row("parameter", "unit", "default", "valid", "meaning");
+  for (const Parameter& parameter : fresh.parameters()) {
+    row(parameter.name, parameter.unit, parameter.text(), parameter.allowed(), parameter.meaning);
+  }
+  return text;
+}
+
+std::string command_for(const StageName& stage, Simulation& now, Simulation& fresh) {
+  std::string command = stage.name;
+  if (now.method() != fresh.method()) command += " --method " + name_of(now.method());
+  if (now.dt() != fresh.dt()) command += " --dt " + to_text(now.dt());
+  const std::vector<Parameter> values = now.parameters(), defaults = fresh.parameters();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i].text() == defaults[i].text()) continue;
+    command += " --set " + values[i].name + "=" + values[i].text();
+  }
+  return command;
+}
+
+}  // namespace bounce

@@ -1,0 +1,41 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "run/simulation.hpp"
+
+namespace bounce {
+
+/// A stage's name on the command line ("03_damping") and what it is about, in one line.
+struct StageName {
+  std::string name;
+  std::string about;
+};
+
+/// What the user asked for on the command line. Parameters, method and time step are not here: they
+/// are already set in the simulation.
+struct Options {
+  double duration = 10;         // s
+  double tolerance = 1e-12;     // of the `reference` method
+  double sample = 0;            // s between trace rows; 0: a row every step
+  std::vector<double> at;       // the times of the trace rows, ascending; empty: see `sample`
+  std::string csv, screenshot, record, save, load;  // paths; empty: not wanted
+  std::uint64_t seed = 1;
+  bool headless = false;        // also when a file is asked for that needs no window
+  bool calm = false;
+};
+
+/// Reads the command line (one for all stages) and sets up `simulation`. Returns false when the
+/// question was answered on standard output (`--list`, `--help`) and there is nothing to run.
+/// Throws BadInput.
+bool parse_command_line(int argc, const char* const* argv, const StageName& stage,
+                        Simulation& simulation, Options& options);
+
+/// What `--list` prints: the methods, and every parameter with unit, default, valid values, meaning.
+std::string list_text(const StageName& stage, Simulation& fresh);
+
+/// The command that starts a run like this one: only what differs from the defaults.
+std::string command_for(const StageName& stage, Simulation& now, Simulation& fresh);
+
+}  // namespace bounce

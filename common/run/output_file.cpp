@@ -1,0 +1,61 @@
+#include "run/output_file.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include "physics/text.hpp"
+
+namespace bounce {
+
+namespace fs = std::filesystem;
+
+OutputFile::OutputFile(std::string option, const std::string& path)
+    : option_(std::move(option)), path_(path), part_(path) {
+  if (path == "-") {
+    file_ = stdout;
+    return;
+  }
+  std::error_code error;
+  if (const fs::path real = fs::canonical(path, error); !error) path_ = real.string();
+  const fs::file_status target = fs::status(path_, error);
+  if (path.empty() || fs::is_directory(target)) {
+    throw BadInput(option_ + " '" + path + "' is not allowed: it must be the path of a file");
+  }
+  const bool direct = fs::exists(target) && !fs::is_regular_file(target);
+  part_ = direct ? path_ : path_ + ".part";
+  file_ = std::fopen(part_.c_str(), "wb");
+  if (file_ == nullptr) {
+    throw BadInput(option_ + " '" + path + "' cannot be written (" + std::strerror(errno) +
+                   "): it must be a file in a folder that exists and that you may write to");
+  }
+}
+
+OutputFile::~OutputFile() {
+  if (file_ == nullptr || file_ == stdout) return;
+  std::fclose(file_);
+  if (part_ != path_) std::remove(part_.c_str());
+}
+
+void OutputFile::write(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) fail();
+}
+
+void OutputFile::finish() {
+  if (std::fflush(file_) != 0) fail();
+  if (file_ == stdout) return;
+  std::FILE* file = file_;
+  file_ = nullptr;
+  if (std::fclose(file) != 0) fail();
+  if (part_ == path_) return;
+  std::error_code error;
+  fs::rename(part_, path_, error);
+  if (error) fail();
+}
+
+void OutputFile::fail() const {
+  throw MachineFailure(option_ + " '" + path_ + "' could not be written: " + std::strerror(errno));
+}
+
+}  // namespace bounce

@@ -1,0 +1,17 @@
+#pragma once
+#include <string>
+
+#include "run/options.hpp"
+#include "run/simulation.hpp"
+
+namespace bounce {
+
+/// Writes parameters, method, clock and state as readable text, in decimals that read back to the
+/// same bits: a run that goes on from the file gives what it would have given without the stop.
+void save_state(const std::string& path, const StageName& stage, Simulation& simulation);
+
+/// Sets the simulation to what the file says. Throws BadInput when the file cannot be read, is
+/// damaged (its checksum fails), or belongs to another stage.
+void load_state(const std::string& path, const StageName& stage, Simulation& simulation);
+
+}  // namespace bounce

@@ -1,0 +1,112 @@
+#include "run/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bounce {
+
+void Simulation::use_method(Method method) {
+  method_ = method;
+  start_grid_here();
+}
+
+void Simulation::use_dt(double dt) {
+  dt_ = dt;
+  start_grid_here();
+}
+
+void Simulation::start_grid_here() {
+  grid_start_ = time_;
+  grid_steps_ = 0;
+  into_step_ = 0;
+  parameters_changed();
+}
+
+void Simulation::restart() {
+  time_ = grid_start_ = into_step_ = 0;
+  grid_steps_ = steps_ = 0;
+  reset_state();
+}
+
+double Simulation::time_of_next_step() const { return grid_time(grid_steps_ + 1); }
+
+void Simulation::advance_to(double t) {
+  if (method_ == Method::exact) {
+    move_exactly_to(t);
+    if (!is_finite()) throw NonFinite(time_);
+    time_ = t;
+    return;
+  }
+  // A target this close to a step's end (in steps) *is* the step's end: n dt is not exact.
+  const double n_target = (t - grid_start_) / dt_;
+  const double tolerance = 1e-9 + 4e-16 * std::abs(n_target);
+
+  if (into_step_ > 0) {  // finish the step that was cut
+    const double rest = dt_ - into_step_;
+    if (n_target < static_cast<double>(grid_steps_ + 1) - tolerance) {
+      const double part = t - time_;
+      if (part > 0) take_checked_steps(1, time_, part);
+      into_step_ += std::max(0.0, part);
+      time_ = t;
+      return;
+    }
+    take_checked_steps(1, time_, rest);
+    into_step_ = 0;
+    time_ = grid_time(++grid_steps_);
+  }
+  const auto whole = static_cast<long long>(std::floor(n_target + tolerance)) - grid_steps_;
+  if (whole > 0) {
+    take_checked_steps(whole, grid_time(grid_steps_), dt_);
+    grid_steps_ += whole;
+    time_ = grid_time(grid_steps_);
+  }
+  if (n_target > static_cast<double>(grid_steps_) + tolerance) {  // cut a step to land on t
+    into_step_ = t - time_;
+    take_checked_steps(1, time_, into_step_);
+  }
+  time_ = t;
+}
+
+void Simulation::take_checked_steps(long long count, double t, double dt) {
+  constexpr long long stride = 1 << 14;  // the check for NaN costs nothing at this distance
+  for (long long done = 0; done < count; done += stride) {
+    const long long now = std::min(stride, count - done);
+    const double t_now = t + static_cast<double>(done) * dt;
+    const std::vector<double> before = numbers();
+    take_steps(now, t_now, dt);
+    if (!is_finite()) {
+      // Again, one by one, to find the last good state.
+      recall_numbers(before);
+      for (long long i = 0; i < now; ++i) {
+        const std::vector<double> good = numbers();
+        const double t_good = t_now + static_cast<double>(i) * dt;
+        take_steps(1, t_good, dt);
+        if (!is_finite()) {
+          recall_numbers(good);
+          time_ = t_good;
+          throw NonFinite(t_good);
+        }
+      }
+    }
+    steps_ += now;
+  }
+}
+
+Simulation::Memory Simulation::memory() const {
+  return {time_, dt_, grid_start_, into_step_, grid_steps_, steps_, numbers()};
+}
+
+void Simulation::recall(const Memory& memory) {
+  time_ = memory.time;
+  dt_ = memory.dt;
+  grid_start_ = memory.grid_start;
+  into_step_ = memory.into_step;
+  grid_steps_ = memory.grid_steps;
+  steps_ = memory.steps;
+  if (!recall_numbers(memory.numbers)) {
+    throw BadInput("the saved state does not fit this stage and method");
+  }
+  compare_from_here();
+}
+
+}  // namespace bounce

@@ -1,0 +1,49 @@
+#pragma once
+#include <vector>
+
+#include "physics/energy.hpp"
+#include "physics/parameters.hpp"
+#include "physics/state.hpp"
+
+namespace bounce {
+
+/// Stage 1. A ball in free fall: the only force is gravity. One dimension, y is up.
+struct FreeFall {
+  double mass = 1.0;                // kg
+  double gravity = 9.81;            // m/s^2
+  State<double> start{5.0, 0.0};    // m, m/s
+
+  // [force]
+  double force(double /*t*/, const State<double>& /*state*/) const {
+    return -mass * gravity;         // downwards, so negative: y is up
+  }
+  // [force]
+
+  // [acceleration]
+  double acceleration(double t, const State<double>& state) const {
+    return force(t, state) / mass;  // F = m a, read as cause and effect
+  }
+  // [acceleration]
+
+  Energy energy(const State<double>& state) const {
+    return {kinetic_energy(mass, state.velocity),
+            gravitational_energy(mass, gravity, state.position), 0};
+  }
+
+  std::vector<Parameter> parameters() {
+    return {describe::mass(mass), describe::gravity(gravity), describe::position(start.position, 5),
+            describe::velocity(start.velocity)};
+  }
+};
+
+/// The loop of the slides, once around: force -> acceleration -> velocity -> position.
+// [loop]
+template <class Scene>
+void fall_one_step(const Scene& scene, double t, State<double>& state, double dt) {
+  const double acceleration = scene.acceleration(t, state);  // from the force
+  state.velocity += acceleration * dt;                       // acceleration changes velocity
+  state.position += state.velocity * dt;                     // velocity changes position
+}
+// [loop]
+
+}  // namespace bounce

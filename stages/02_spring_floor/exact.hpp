@@ -1,0 +1,13 @@
+#pragma once
+#include "physics/closed_form.hpp"
+#include "spring_floor.hpp"
+
+namespace bounce {
+
+/// Stage 2 in closed form: parabolas, and half swings of an undamped oscillator between them.
+struct SpringFloorExact : BouncePhases {
+  explicit SpringFloorExact(const SpringFloor& scene)
+      : BouncePhases{scene.mass, scene.gravity, scene.radius, {scene.stiffness, 0}} {}
+};
+
+}  // namespace bounce

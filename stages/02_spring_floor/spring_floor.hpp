@@ -1,0 +1,44 @@
+#pragma once
+#include <vector>
+
+#include "physics/energy.hpp"
+#include "physics/parameters.hpp"
+#include "physics/state.hpp"
+
+namespace bounce {
+
+/// Stage 2. The ball falls on a floor at height 0 and is pushed back by a spring.
+struct SpringFloor {
+  double mass = 1.0;              // kg
+  double gravity = 9.81;          // m/s^2
+  double radius = 0.1;            // m
+  double stiffness = 1e4;         // N/m
+  State<double> start{1.0, 0.0};  // m, m/s
+
+  // [force]
+  double force(double /*t*/, const State<double>& state) const {
+    const double y = state.position;
+    double force = -mass * gravity;       // gravity, downwards
+    if (y < radius) {                     // only while the ball overlaps the floor:
+      force += stiffness * (radius - y);  // spring, in proportion to the overlap
+    }
+    return force;
+  }
+  // [force]
+
+  double acceleration(double t, const State<double>& state) const { return force(t, state) / mass; }
+
+  Energy energy(const State<double>& state) const {
+    return {kinetic_energy(mass, state.velocity),
+            gravitational_energy(mass, gravity, state.position),
+            spring_energy(stiffness, radius - state.position)};
+  }
+
+  std::vector<Parameter> parameters() {
+    return {describe::mass(mass), describe::gravity(gravity),
+            describe::position(start.position, 1.2), describe::velocity(start.velocity),
+            describe::radius(radius), describe::stiffness(stiffness)};
+  }
+};
+
+}  // namespace bounce

@@ -1,0 +1,16 @@
+#pragma once
+#include "damping.hpp"
+#include "physics/closed_form.hpp"
+
+namespace bounce {
+
+/// Stage 3 in closed form: parabolas, and swings of a damped oscillator between them.
+struct DampingExact : BouncePhases {
+  explicit DampingExact(const Damping& scene)
+      : BouncePhases{scene.mass,
+                     scene.gravity,
+                     scene.radius,
+                     {scene.stiffness, scene.damping, scene.contact}} {}
+};
+
+}  // namespace bounce
