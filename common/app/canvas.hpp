@@ -25,8 +25,8 @@ struct Colour {
 enum class Align { left, centre, right };
 enum class TextSize { tick, normal, title };  // 13, 16 and 18 pixels
 
-/// What pictures are drawn on. Pictures know nothing else of the window, so that they can be built, and
-/// tested, without one.
+/// What pictures are drawn on. Pictures know nothing else of the window, so that they can be built,
+/// and tested, without one.
 class Canvas {
  public:
   virtual ~Canvas() = default;
@@ -34,7 +34,8 @@ class Canvas {
   virtual void fill(std::span<const Point> convex, Colour colour) = 0;
   virtual void circle(Point centre, float radius, Colour colour, float width) = 0;
   virtual void disc(Point centre, float radius, Colour colour) = 0;
-  virtual void text(Point at, std::string_view words, Colour colour, Align align, TextSize size) = 0;
+  virtual void text(Point at, std::string_view words, Colour colour, Align align,
+                    TextSize size) = 0;
   virtual float text_width(std::string_view words, TextSize size) const = 0;
   virtual void push_clip(Rect area) = 0;
   virtual void pop_clip() = 0;

@@ -53,8 +53,8 @@ int play(int argc, const char* const* argv, const Demo& demo);
 
 // ---- Implemented by the window (window.cpp), or by the null app where SDL2 is missing.
 
-/// Shows the demo until the user closes it. Returns false, and says why on standard error, when there
-/// is no display.
+/// Shows the demo until the user closes it. Returns false, and says why on standard error, when
+/// there is no display.
 bool show_window(const Demo& demo, std::unique_ptr<Simulation> simulation, const Options& options);
 /// Saves what the window would show at the end of the duration. Throws MachineFailure.
 void save_picture(const Demo& demo, std::unique_ptr<Simulation> simulation, const Options& options,

@@ -36,8 +36,9 @@ void draw_arrow(Canvas& canvas, Point from, Point to, Colour colour, Shaft shaft
   canvas.fill(body, colour);
   canvas.fill(tip, colour);
   if (fat) {
-    const std::array<Point, 8> outline{at(0, half),    at(neck, half),  at(neck, wing),  at(length, 0),
-                                       at(neck, -wing), at(neck, -half), at(0, -half),   at(0, half)};
+    const std::array<Point, 8> outline{at(0, half),   at(neck, half),  at(neck, wing),
+                                       at(length, 0), at(neck, -wing), at(neck, -half),
+                                       at(0, -half),  at(0, half)};
     canvas.line(outline, palette::ink, 1);
   }
 }
@@ -145,8 +146,8 @@ std::string with_unit(double value, const std::string& unit) {
     double from, factor;
     const char* name;
   };
-  static constexpr Prefix prefixes[] = {{1e9, 1e-9, "G"}, {1e6, 1e-6, "M"}, {1e4, 1e-3, "k"},
-                                        {0.1, 1, ""},     {1e-3, 1e3, "m"}, {1e-6, 1e6, "u"},
+  static constexpr Prefix prefixes[] = {{1e9, 1e-9, "G"}, {1e6, 1e-6, "M"},  {1e4, 1e-3, "k"},
+                                        {0.1, 1, ""},     {1e-3, 1e3, "m"},  {1e-6, 1e6, "u"},
                                         {1e-9, 1e9, "n"}, {1e-12, 1e12, "p"}};
   if (size == 0) return "0 " + unit;
   for (const Prefix& prefix : prefixes) {

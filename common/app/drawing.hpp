@@ -10,8 +10,8 @@ namespace bounce {
 
 /// From world metres (y up) to pixels (y down), the same scale both ways.
 struct SideCamera {
-  Point origin;    // where height 0 at the ball's column is, in pixels
-  float per_metre; // pixels
+  Point origin;     // where height 0 at the ball's column is, in pixels
+  float per_metre;  // pixels
   Point at(double x, double y) const {
     return {origin.x + static_cast<float>(x) * per_metre,
             origin.y - static_cast<float>(y) * per_metre};

@@ -27,10 +27,10 @@ int segments(float radius) { return std::max(16, static_cast<int>(4 * std::sqrt(
 
 void ImGuiCanvas::load_fonts() {
   static constexpr const char* candidates[] = {
-      "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",       // Debian, Ubuntu
-      "/usr/share/fonts/TTF/DejaVuSans.ttf",                   // Arch
-      "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",     // Fedora
-      "/System/Library/Fonts/Supplemental/Arial.ttf",          // macOS
+      "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",    // Debian, Ubuntu
+      "/usr/share/fonts/TTF/DejaVuSans.ttf",                // Arch
+      "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",  // Fedora
+      "/System/Library/Fonts/Supplemental/Arial.ttf",       // macOS
       "C:/Windows/Fonts/segoeui.ttf"};
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   static constexpr float sizes[] = {13, 16, 18};
@@ -67,12 +67,15 @@ void ImGuiCanvas::disc(Point centre, float radius, Colour colour) {
   list().AddCircleFilled(to_imgui(centre), radius, to_imgui(colour), segments(radius));
 }
 
-void ImGuiCanvas::text(Point at, std::string_view words, Colour colour, Align align, TextSize size) {
+void ImGuiCanvas::text(Point at, std::string_view words, Colour colour, Align align,
+                       TextSize size) {
   const float width = align == Align::left ? 0 : text_width(words, size);
-  const float x = align == Align::left ? at.x : align == Align::right ? at.x - width : at.x - width / 2;
+  const float x = align == Align::left    ? at.x
+                  : align == Align::right ? at.x - width
+                                          : at.x - width / 2;
   ImFont* font = fonts_[static_cast<std::size_t>(size)];
-  list().AddText(font, font->FontSize, {std::round(x), std::round(at.y)}, to_imgui(colour), words.data(),
-                 words.data() + words.size());
+  list().AddText(font, font->FontSize, {std::round(x), std::round(at.y)}, to_imgui(colour),
+                 words.data(), words.data() + words.size());
 }
 
 float ImGuiCanvas::text_width(std::string_view words, TextSize size) const {
@@ -103,7 +106,8 @@ void ImGuiBackend::upload_fonts() {
   int width = 0, height = 0;
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
-  font_ = SDL_CreateTexture(renderer_, SDL_PIXELFORMAT_ABGR8888, SDL_TEXTUREACCESS_STATIC, width, height);
+  font_ = SDL_CreateTexture(renderer_, SDL_PIXELFORMAT_ABGR8888, SDL_TEXTUREACCESS_STATIC, width,
+                            height);
   SDL_UpdateTexture(font_, nullptr, pixels, 4 * width);
   SDL_SetTextureBlendMode(font_, SDL_BLENDMODE_BLEND);
   atlas.SetTexID(reinterpret_cast<ImTextureID>(font_));
@@ -115,13 +119,17 @@ void ImGuiBackend::event(const SDL_Event& event) {
     case SDL_MOUSEMOTION:
       io.MousePos = {static_cast<float>(event.motion.x), static_cast<float>(event.motion.y)};
       break;
-    case SDL_MOUSEWHEEL: io.MouseWheel += static_cast<float>(event.wheel.y); break;
+    case SDL_MOUSEWHEEL:
+      io.MouseWheel += static_cast<float>(event.wheel.y);
+      break;
     case SDL_MOUSEBUTTONDOWN:
     case SDL_MOUSEBUTTONUP:
       io.MousePos = {static_cast<float>(event.button.x), static_cast<float>(event.button.y)};
-      if (event.button.button == SDL_BUTTON_LEFT) io.MouseDown[0] = event.type == SDL_MOUSEBUTTONDOWN;
+      if (event.button.button == SDL_BUTTON_LEFT)
+        io.MouseDown[0] = event.type == SDL_MOUSEBUTTONDOWN;
       break;
-    default: break;
+    default:
+      break;
   }
 }
 
@@ -138,12 +146,14 @@ void ImGuiBackend::end_frame() {
   for (int n = 0; n < data.CmdListsCount; ++n) {
     const ImDrawList& commands = *data.CmdLists[n];
     for (const ImDrawCmd& command : commands.CmdBuffer) {
-      const SDL_Rect clip{static_cast<int>(command.ClipRect.x), static_cast<int>(command.ClipRect.y),
+      const SDL_Rect clip{static_cast<int>(command.ClipRect.x),
+                          static_cast<int>(command.ClipRect.y),
                           static_cast<int>(command.ClipRect.z - command.ClipRect.x),
                           static_cast<int>(command.ClipRect.w - command.ClipRect.y)};
       if (clip.w <= 0 || clip.h <= 0) continue;
       SDL_RenderSetClipRect(renderer_, &clip);
-      const auto* vertices = reinterpret_cast<const char*>(commands.VtxBuffer.Data + command.VtxOffset);
+      const auto* vertices =
+          reinterpret_cast<const char*>(commands.VtxBuffer.Data + command.VtxOffset);
       const auto at = [vertices](std::size_t offset) { return vertices + offset; };
       SDL_RenderGeometryRaw(
           renderer_, reinterpret_cast<SDL_Texture*>(command.GetTexID()),

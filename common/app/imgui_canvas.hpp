@@ -8,8 +8,8 @@
 
 namespace bounce {
 
-/// Canvas over Dear ImGui's background draw list: its lines and shapes are anti-aliased, which those of
-/// SDL_Renderer are not.
+/// Canvas over Dear ImGui's background draw list: its lines and shapes are anti-aliased, which
+/// those of SDL_Renderer are not.
 class ImGuiCanvas final : public Canvas {
  public:
   /// One font per TextSize; built-in ones where DejaVu Sans is not on the system.
@@ -29,7 +29,8 @@ class ImGuiCanvas final : public Canvas {
 };
 
 /// Dear ImGui on SDL_Renderer. The library ships a backend of its own, but not in every package
-/// (Debian's lacks it), and its name changes between versions; this one needs SDL 2.0.18 and ImGui 1.86.
+/// (Debian's lacks it), and its name changes between versions; this one needs SDL 2.0.18 and
+/// ImGui 1.86.
 class ImGuiBackend {
  public:
   explicit ImGuiBackend(SDL_Renderer* renderer);

@@ -14,9 +14,9 @@
 namespace bounce {
 namespace {
 
-constexpr double future_length = 3;          // s drawn ahead while a slider moves
-constexpr int future_lingers = 150;          // frames after the slider was let go
-constexpr Range dt_slider{1e-5, 0.1};        // s
+constexpr double future_length = 3;    // s drawn ahead while a slider moves
+constexpr int future_lingers = 150;    // frames after the slider was let go
+constexpr Range dt_slider{1e-5, 0.1};  // s
 
 ImVec4 colour(Colour c) {
   return {static_cast<float>(c.red) / 255, static_cast<float>(c.green) / 255,
@@ -25,8 +25,8 @@ ImVec4 colour(Colour c) {
 
 bool slide(const char* name, double& value, Range range) {
   const bool logarithmic = range.lowest > 0 && range.highest >= 50 * range.lowest;
-  return ImGui::SliderScalar(name, ImGuiDataType_Double, &value, &range.lowest, &range.highest, "%.5g",
-                             logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+  return ImGui::SliderScalar(name, ImGuiDataType_Double, &value, &range.lowest, &range.highest,
+                             "%.5g", logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
 }
 
 void heading(const char* words) {
@@ -160,7 +160,8 @@ void Panel::note_slider(Player& player, View& view) {
 
 void Panel::draw_play_row(Player& player) {
   heading("play");
-  if (ImGui::Button(player.paused ? "play (P)" : "pause (P)", {96, 0})) player.paused = !player.paused;
+  if (ImGui::Button(player.paused ? "play (P)" : "pause (P)", {96, 0}))
+    player.paused = !player.paused;
   ImGui::SameLine();
   if (ImGui::Button("<")) player.step_back();
   ImGui::SameLine();
@@ -230,13 +231,15 @@ void Panel::draw_cost_and_error(Player& player) {
     if (cost_is_old_ && seen_) measure_cost(player);
     if (seen_ && !cost_is_old_) {
       ImGui::SameLine();
-      ImGui::TextColored(colour(palette::exact), "(%.2g us)", ns_per_step_ / simulation.dt() * 1e-3);
+      ImGui::TextColored(colour(palette::exact), "(%.2g us)",
+                         ns_per_step_ / simulation.dt() * 1e-3);
     }
   }
   if (const std::optional<StateError> error = simulation.error()) {
     ImGui::Text("position off by %s", with_unit(error->position, "m").c_str());
   }
-  const std::string warning = player.trouble().empty() ? step_warning(simulation) : player.trouble();
+  const std::string warning =
+      player.trouble().empty() ? step_warning(simulation) : player.trouble();
   if (!warning.empty()) {
     ImGui::PushStyleColor(ImGuiCol_ChildBg, colour(palette::warning));
     ImGui::BeginChild("warning", {0, 78}, true);

@@ -6,8 +6,8 @@
 
 namespace bounce {
 
-/// The controls on the right: the question, sliders, play row, method and time step, cost and error, and
-/// everything else folded away. Dear ImGui draws them and answers the mouse.
+/// The controls on the right: the question, sliders, play row, method and time step, cost and
+/// error, and everything else folded away. Dear ImGui draws them and answers the mouse.
 class Panel {
  public:
   Panel(const Demo& demo, bool seen);

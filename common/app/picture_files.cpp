@@ -49,7 +49,8 @@ void write_png(const std::string& path, const Pixels& pixels) {
   png_image_write_to_memory(&image, nullptr, &size, 0, pixels.rgb.data(), 0, nullptr);
   std::string bytes(size, '\0');
   if (!png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.rgb.data(), 0, nullptr)) {
-    throw MachineFailure(std::string("--screenshot: the picture could not be packed: ") + image.message);
+    throw MachineFailure(std::string("--screenshot: the picture could not be packed: ") +
+                         image.message);
   }
   bytes.resize(size);
   file.write(bytes);
@@ -59,8 +60,9 @@ void write_png(const std::string& path, const Pixels& pixels) {
 Recorder::Recorder(const std::string& path)
     : path_(path), is_gif_(is_gif(path)), file_("--record", path) {
   if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) {
-    throw MachineFailure("--record needs the program ffmpeg, which is not here: install it "
-                         "(Debian, Ubuntu: apt-get install ffmpeg; macOS: brew install ffmpeg)");
+    throw MachineFailure(
+        "--record needs the program ffmpeg, which is not here: install it "
+        "(Debian, Ubuntu: apt-get install ffmpeg; macOS: brew install ffmpeg)");
   }
 }
 
@@ -72,8 +74,8 @@ void Recorder::add(const Pixels& pixels) {
                   "stats_mode=diff[p];[b][p]paletteuse=dither=none:diff_mode=rectangle\" -f gif"
                 : "-c:v libx264 -pix_fmt yuv420p -crf 20 -movflags +faststart -f mp4";
     const std::string command = "ffmpeg -loglevel error -y -f rawvideo -pix_fmt rgb24 -s " + size +
-                                " -r " + std::to_string(frames_per_second()) + " -i - " + how + " " +
-                                quoted(file_.path_in_work());
+                                " -r " + std::to_string(frames_per_second()) + " -i - " + how +
+                                " " + quoted(file_.path_in_work());
     pipe_ = popen(command.c_str(), "w");
     if (pipe_ == nullptr) throw MachineFailure("--record: ffmpeg could not be started");
   }

@@ -16,7 +16,7 @@ constexpr double longest_frame = 0.1;         // s of the clock that one frame m
 constexpr double frame_budget = 0.012;        // s of computing in one frame
 constexpr std::size_t trace_length = 60 * 240;
 constexpr std::size_t past_length = 60 * 60;
-constexpr double lens_contact_time = 1.0;     // s on the clock that a contact takes in the lens
+constexpr double lens_contact_time = 1.0;  // s on the clock that a contact takes in the lens
 
 }  // namespace
 
@@ -28,8 +28,9 @@ Player::Player(std::unique_ptr<Simulation> simulation) : simulation_(std::move(s
 }
 
 TracePoint Player::point(const Simulation& simulation) {
-  return {simulation.time(),           simulation.values(),        simulation.exact_values(simulation.time()),
-          simulation.energy(),         simulation.energy_before(), simulation.energy_lost()};
+  return {
+      simulation.time(),   simulation.values(),        simulation.exact_values(simulation.time()),
+      simulation.energy(), simulation.energy_before(), simulation.energy_lost()};
 }
 
 void Player::remember() {

@@ -21,8 +21,8 @@ struct TracePoint {
   double energy_error() const { return energy.total() + lost - before; }
 };
 
-/// Plays a simulation on a clock: runs, pauses, steps, goes back, slows down. It knows no window. The
-/// physics always moves by whole steps of its own dt; only the clock is slowed or stopped. One
+/// Plays a simulation on a clock: runs, pauses, steps, goes back, slows down. It knows no window.
+/// The physics always moves by whole steps of its own dt; only the clock is slowed or stopped. One
 /// frame takes in at most 0.1 s of real time, so that a stall cannot make it explode or jump.
 class Player {
  public:
@@ -38,7 +38,7 @@ class Player {
   double rate = 1;            // simulated seconds per second of the clock
   bool contact_lens = false;  // slow down in contact, so that it lasts about a second
   double current_rate() const { return current_rate_; }  // with the lens
-  bool keeps_up() const { return keeps_up_; }            // false: computing is slower than the clock
+  bool keeps_up() const { return keeps_up_; }  // false: computing is slower than the clock
 
   void step_forward();  // one step; pauses
   void step_back();     // one step; pauses

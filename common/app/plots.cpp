@@ -18,7 +18,8 @@ double outward(double value) {
   if (value == 0 || !std::isfinite(value)) return 0;
   const double power = std::pow(10, std::floor(std::log10(std::abs(value))));
   for (const double mantissa : {1.0, 2.0, 5.0}) {
-    if (std::abs(value) <= mantissa * power * (1 + 1e-9)) return std::copysign(mantissa * power, value);
+    if (std::abs(value) <= mantissa * power * (1 + 1e-9))
+      return std::copysign(mantissa * power, value);
   }
   return std::copysign(10 * power, value);
 }
@@ -114,7 +115,9 @@ void draw_energy_column(Canvas& canvas, Rect area, const TracePoint& now) {
   canvas.push_clip({area.x, area.y + 78, area.width, ground - area.y - 77});
   float y = ground;
   for (const Part& part : parts) {
-    const auto height = static_cast<float>(std::min(3.0, std::max(0.0, part.energy) / scale)) * full;
+    const auto height =
+        static_cast<float>(std::min(3.0, std::max(0.0, part.energy) / scale)) * full;
+    if (height < 0.5f) continue;
     draw_rect(canvas, {column.x, y - height, column.width, height}, part.colour);
     if (&part == &parts[3]) {  // hatched: this energy is gone
       for (float line = y - height; line < y; line += 6) {
@@ -140,7 +143,8 @@ void draw_energy_column(Canvas& canvas, Rect area, const TracePoint& now) {
   canvas.text({area.x + 4, area.y + 34}, "error", palette::ink, Align::left, TextSize::tick);
   canvas.text({area.x + 4, area.y + 48}, std::abs(error) < 1e-9 ? "0 %" : text, palette::ink,
               Align::left, TextSize::tick);
-  canvas.text({area.x + 4, area.y + 62}, "arrow: x100", palette::exact, Align::left, TextSize::tick);
+  canvas.text({area.x + 4, area.y + 62}, "arrow: x100", palette::exact, Align::left,
+              TextSize::tick);
   y = ground + 10;
   for (const Part& part : parts) {
     draw_rect(canvas, {area.x + 6, y + 3, 10, 10}, part.colour);

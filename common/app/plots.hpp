@@ -13,14 +13,14 @@ class PlotView {
   void draw(Canvas& canvas, Rect area, const Plot& plot, const Player& player);
 
  private:
-  double top_ = 0;          // largest value the axis shows
-  double bottom_ = 0;       // smallest
+  double top_ = 0;     // largest value the axis shows
+  double bottom_ = 0;  // smallest
   double last_time_ = 0;
 };
 
-/// The energy as one stacked column: kinetic, gravitational, spring, lost to the damper. The outline
-/// is what there was at the start: whatever the stack has too much or too little is the method's
-/// *error*, shown apart and a hundred times enlarged.
+/// The energy as one stacked column: kinetic, gravitational, spring, lost to the damper. The
+/// outline is what there was at the start: whatever the stack has too much or too little is the
+/// method's *error*, shown apart and a hundred times enlarged.
 void draw_energy_column(Canvas& canvas, Rect area, const TracePoint& now);
 
 }  // namespace bounce

@@ -13,15 +13,17 @@
 namespace bounce {
 namespace {
 
-constexpr float per_second = 130;  // px on the time axis
+constexpr float per_second = 130;          // px on the time axis
 constexpr float per_metre_per_second = 9;  // px of the velocity arrow
 constexpr float ruler_x = 64;
-constexpr double strobe_interval = 0.1;   // s
-constexpr double peak_hold = 0.7;         // s that the largest contact force stays in sight
+constexpr double strobe_interval = 0.1;    // s
+constexpr double peak_hold = 0.7;          // s that the largest contact force stays in sight
 constexpr float fastest_throw = 8;         // m/s
-constexpr float strobe_ghost_offset = 96; // px between the ball's images and the exact ones
+constexpr float strobe_ghost_offset = 96;  // px between the ball's images and the exact ones
 
-float column_x(const BallOnALine& ball) { return layout::scene.width * (ball.strobe ? 0.36f : 0.60f); }
+float column_x(const BallOnALine& ball) {
+  return layout::scene.width * (ball.strobe ? 0.36f : 0.60f);
+}
 
 State<double> state_of(const std::vector<double>& values) { return {values[0], values[1]}; }
 
@@ -40,8 +42,10 @@ void draw_ruler(Canvas& canvas, const SideCamera& camera, double lowest, double 
     grid(y, palette::grid_major);
     char text[32];
     std::snprintf(text, sizeof text, step < 0.1 ? "%.2f" : step < 1 ? "%.1f" : "%g", y);
-    canvas.text({ruler_x - 14, camera.at(0, y).y - 8}, text, palette::ink, Align::right, TextSize::tick);
-    const std::array<Point, 2> tick{{{ruler_x - 8, camera.at(0, y).y}, {ruler_x, camera.at(0, y).y}}};
+    canvas.text({ruler_x - 14, camera.at(0, y).y - 8}, text, palette::ink, Align::right,
+                TextSize::tick);
+    const std::array<Point, 2> tick{
+        {{ruler_x - 8, camera.at(0, y).y}, {ruler_x, camera.at(0, y).y}}};
     canvas.line(tick, palette::ink, 1.5f);
   }
   const std::array<Point, 2> edge{{{ruler_x, camera.at(x0, lowest).y}, {ruler_x, area.y + 34}}};
@@ -96,7 +100,8 @@ void draw_past(Canvas& canvas, const Player& player, const TimePath& path, const
       if (!point.exact.empty()) exact.push_back(exact_joint);
     }
     // The top of a bounce, with its height.
-    if (i > 0 && trace[i - 1].values[1] > 0 && point.values[1] <= 0 && point.values[0] > ball.radius) {
+    if (i > 0 && trace[i - 1].values[1] > 0 && point.values[1] <= 0 &&
+        point.values[0] > ball.radius) {
       const Point top = path.at(point.t, point.values[0]);
       if (top.x < last_label + 52) continue;
       last_label = top.x;
@@ -110,8 +115,8 @@ void draw_past(Canvas& canvas, const Player& player, const TimePath& path, const
   flush(now);
 }
 
-void draw_strobe(Canvas& canvas, const Player& player, const SideCamera& camera, float x, float radius,
-                 bool ghost) {
+void draw_strobe(Canvas& canvas, const Player& player, const SideCamera& camera, float x,
+                 float radius, bool ghost) {
   const auto& trace = player.trace();
   float last_label = -100;
   for (std::size_t i = 1; i < trace.size(); ++i) {
@@ -128,8 +133,10 @@ void draw_strobe(Canvas& canvas, const Player& player, const SideCamera& camera,
     canvas.circle({x, y}, radius, palette::ink.faded(0.35), 1);
     if (ghost && !before.exact.empty() && !after.exact.empty()) {
       const float exact_y = height(before.exact, after.exact);
-      draw_dashed_circle(canvas, {x + strobe_ghost_offset, exact_y}, radius, palette::exact.faded(0.55), 1);
-      const std::array<Point, 2> link{{{x + radius, y}, {x + strobe_ghost_offset - radius, exact_y}}};
+      draw_dashed_circle(canvas, {x + strobe_ghost_offset, exact_y}, radius,
+                         palette::exact.faded(0.55), 1);
+      const std::array<Point, 2> link{
+          {{x + radius, y}, {x + strobe_ghost_offset - radius, exact_y}}};
       canvas.line(link, palette::grid_major, 1);
     }
     if (std::abs(y - last_label) < 15) continue;
@@ -154,8 +161,8 @@ void draw_overlap(Canvas& canvas, Point centre, float radius, float ground) {
   canvas.line(segment, palette::ink, 1.5f);
 }
 
-void draw_force(Canvas& canvas, Point from, double force, double weight, Colour colour, double share,
-                const char* name) {
+void draw_force(Canvas& canvas, Point from, double force, double weight, Colour colour,
+                double share, const char* name) {
   const float length = force_length(force, weight);
   if (length < 1) return;
   const Point tip{from.x, from.y - std::copysign(length, static_cast<float>(force))};
@@ -196,7 +203,8 @@ void draw_forces(Canvas& canvas, const Player& player, const View& view, const B
     draw_force(canvas, right, now.damper, weight, palette::damper, 1, "damper");
   } else if (peak.spring > 0) {
     const double share = 0.9 * (1 - age / peak_hold);
-    draw_force(canvas, {left.x, ground}, peak.spring, weight, palette::spring, share, "spring, peak");
+    draw_force(canvas, {left.x, ground}, peak.spring, weight, palette::spring, share,
+               "spring, peak");
   }
   const double speed = player.shown_values()[1];
   const Point foot{centre.x + radius + 40, centre.y};
@@ -256,7 +264,8 @@ bool is_on_ball(Point pixel, const Player& player, const BallOnALine& ball) {
 
 }  // namespace
 
-void draw_side_view(Canvas& canvas, const Player& player, const View& view, const BallOnALine& ball) {
+void draw_side_view(Canvas& canvas, const Player& player, const View& view,
+                    const BallOnALine& ball) {
   const SideCamera camera = side_camera(player, ball);
   const Rect& area = layout::scene;
   const float x = column_x(ball);

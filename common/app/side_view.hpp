@@ -20,13 +20,15 @@ struct BallOnALine {
   std::function<ForcesOnALine(const State<double>&)> forces;
   bool floor = true;
   bool strobe = false;  // leave an image every 0.1 s, beside those of the exact solution
-  double lowest = -0.14, highest = 1.25;  // in the picture [m]; the top grows when the ball leaves it
+  double lowest = -0.14,
+         highest = 1.25;  // in the picture [m]; the top grows when the ball leaves it
 };
 
 /// The scene of stages 1 to 3: ruler, ground, ball and ghost, forces; to the left where the ball
 /// has been, to the right (while a slider moves) where it will go: height against time, on the
 /// ruler's own scale. With `strobe`, the images stay where they were taken instead.
-void draw_side_view(Canvas& canvas, const Player& player, const View& view, const BallOnALine& ball);
+void draw_side_view(Canvas& canvas, const Player& player, const View& view,
+                    const BallOnALine& ball);
 
 /// Gives a demo this scene as its picture, with a ball that can be dragged and thrown.
 void use_side_view(Demo& demo, std::function<BallOnALine(const Player&)> ball);

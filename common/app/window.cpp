@@ -30,11 +30,12 @@ Video::Video(bool seen) {
 
 Video::~Video() { SDL_Quit(); }
 
-Window::Window(const Demo& demo, std::unique_ptr<Simulation> simulation, const Options& options, bool seen)
+Window::Window(const Demo& demo, std::unique_ptr<Simulation> simulation, const Options& options,
+               bool seen)
     : demo_(demo), seen_(seen), video_(seen), player_(std::move(simulation)) {
   const std::string title = "Bounce " + demo.title;
-  window_ = SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, layout::width,
-                             layout::height, SDL_WINDOW_RESIZABLE);
+  window_ = SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
+                             layout::width, layout::height, SDL_WINDOW_RESIZABLE);
   if (window_ != nullptr) {
     renderer_ = SDL_CreateRenderer(window_, -1, seen ? SDL_RENDERER_PRESENTVSYNC : 0);
     if (renderer_ == nullptr) renderer_ = SDL_CreateRenderer(window_, -1, SDL_RENDERER_SOFTWARE);
@@ -73,7 +74,8 @@ void Window::handle(const SDL_Event& event) {
   backend_->event(event);
   if (event.type == SDL_QUIT) closed_ = true;
   if (event.type == SDL_KEYDOWN) key(event.key.keysym.sym);
-  if (event.type == SDL_MOUSEBUTTONDOWN && event.button.button == SDL_BUTTON_LEFT && demo_.is_on_ball) {
+  if (event.type == SDL_MOUSEBUTTONDOWN && event.button.button == SDL_BUTTON_LEFT &&
+      demo_.is_on_ball) {
     const Point at{static_cast<float>(event.button.x), static_cast<float>(event.button.y)};
     holding_ = demo_.is_on_ball(player_, at);
     mouse_.clear();
@@ -83,24 +85,43 @@ void Window::handle(const SDL_Event& event) {
 
 void Window::key(SDL_Keycode key) {
   switch (key) {
-    case SDLK_ESCAPE: closed_ = true; break;
+    case SDLK_ESCAPE:
+      closed_ = true;
+      break;
     case SDLK_p:
-    case SDLK_SPACE: player_.paused = !player_.paused; break;
+    case SDLK_SPACE:
+      player_.paused = !player_.paused;
+      break;
     case SDLK_PERIOD:
-    case SDLK_RIGHT: player_.step_forward(); break;
+    case SDLK_RIGHT:
+      player_.step_forward();
+      break;
     case SDLK_COMMA:
-    case SDLK_LEFT: player_.step_back(); break;
-    case SDLK_r: player_.restart(); break;
-    case SDLK_o: player_.rate = player_.rate < 1 ? 1 : 0.1; break;
-    case SDLK_l: player_.contact_lens = !player_.contact_lens; break;
-    case SDLK_F1: view_.help = !view_.help; break;
-    case SDLK_F12: screenshot_ = demo_.stage.name + ".png"; break;
-    default: break;
+    case SDLK_LEFT:
+      player_.step_back();
+      break;
+    case SDLK_r:
+      player_.restart();
+      break;
+    case SDLK_o:
+      player_.rate = player_.rate < 1 ? 1 : 0.1;
+      break;
+    case SDLK_l:
+      player_.contact_lens = !player_.contact_lens;
+      break;
+    case SDLK_F1:
+      view_.help = !view_.help;
+      break;
+    case SDLK_F12:
+      screenshot_ = demo_.stage.name + ".png";
+      break;
+    default:
+      break;
   }
 }
 
-/// The held ball follows the mouse, and leaves with the mouse's mean velocity over the last 80 ms (a
-/// single movement of a mouse is too jumpy).
+/// The held ball follows the mouse, and leaves with the mouse's mean velocity over the last 80 ms
+/// (a single movement of a mouse is too jumpy).
 void Window::drag() {
   if (!holding_) return;
   const ImVec2 at = ImGui::GetIO().MousePos;
@@ -114,7 +135,8 @@ void Window::drag() {
 }
 
 void Window::draw() {
-  SDL_SetRenderDrawColor(renderer_, palette::paper.red, palette::paper.green, palette::paper.blue, 255);
+  SDL_SetRenderDrawColor(renderer_, palette::paper.red, palette::paper.green, palette::paper.blue,
+                         255);
   SDL_RenderClear(renderer_);
   SDL_SetRenderDrawBlendMode(renderer_, SDL_BLENDMODE_BLEND);
   backend_->begin_frame(layout::width, layout::height);
@@ -140,16 +162,17 @@ void Window::draw() {
 }
 
 void Window::draw_help() {
-  static constexpr std::array<std::array<const char*, 2>, 10> keys{{{"P, Space", "pause, play"},
-                                                                    {".  or Right", "one step forward"},
-                                                                    {",  or Left", "one step back"},
-                                                                    {"R", "restart"},
-                                                                    {"O", "slow motion (1/10)"},
-                                                                    {"L", "contact lens: a contact lasts a second"},
-                                                                    {"mouse", "drag the ball, and throw it"},
-                                                                    {"F12", "save a picture"},
-                                                                    {"F1", "this page"},
-                                                                    {"Esc", "quit"}}};
+  static constexpr std::array<std::array<const char*, 2>, 10> keys{
+      {{"P, Space", "pause, play"},
+       {".  or Right", "one step forward"},
+       {",  or Left", "one step back"},
+       {"R", "restart"},
+       {"O", "slow motion (1/10)"},
+       {"L", "contact lens: a contact lasts a second"},
+       {"mouse", "drag the ball, and throw it"},
+       {"F12", "save a picture"},
+       {"F1", "this page"},
+       {"Esc", "quit"}}};
   const Rect area{150, 110, 460, 300};
   draw_rect(canvas_, area, palette::paper.faded(0.95));
   draw_frame(canvas_, area, palette::ink, 1);
@@ -177,7 +200,8 @@ bool show_window(const Demo& demo, std::unique_ptr<Simulation> simulation, const
   try {
     window = std::make_unique<Window>(demo, std::move(simulation), options, true);
   } catch (const MachineFailure& failure) {
-    std::cerr << demo.stage.name << ": " << failure.what() << "; running without a window instead\n";
+    std::cerr << demo.stage.name << ": " << failure.what()
+              << "; running without a window instead\n";
     return false;
   }
   const auto frequency = static_cast<double>(SDL_GetPerformanceFrequency());
@@ -186,7 +210,8 @@ bool show_window(const Demo& demo, std::unique_ptr<Simulation> simulation, const
   while (window->tick(frame)) {
     Uint64 now = SDL_GetPerformanceCounter();
     const double spent = static_cast<double>(now - last) / frequency;
-    if (spent < 1.0 / 65) SDL_Delay(static_cast<Uint32>((1.0 / 62 - spent) * 1000));  // no vsync here
+    if (spent < 1.0 / 65)
+      SDL_Delay(static_cast<Uint32>((1.0 / 62 - spent) * 1000));  // no vsync here
     now = SDL_GetPerformanceCounter();
     frame = static_cast<double>(now - last) / frequency;
     last = now;
@@ -219,7 +244,8 @@ void record_clip(const Demo& demo, std::unique_ptr<Simulation> simulation, const
   window.view().forces = true;
   window.keep_pixels = true;
   const double frame = 1.0 / recorder.frames_per_second();
-  while (window.player().shown_time() < options.duration && window.tick(frame)) recorder.add(window.pixels());
+  while (window.player().shown_time() < options.duration && window.tick(frame))
+    recorder.add(window.pixels());
   recorder.finish();
 }
 

@@ -21,11 +21,12 @@ class Video {
   Video& operator=(const Video&) = delete;
 };
 
-/// One demo in one window. All that happens in a frame happens in `tick`, so that whoever owns the loop
-/// (this program, or a browser) only has to call it.
+/// One demo in one window. All that happens in a frame happens in `tick`, so that whoever owns the
+/// loop (this program, or a browser) only has to call it.
 class Window {
  public:
-  Window(const Demo& demo, std::unique_ptr<Simulation> simulation, const Options& options, bool seen);
+  Window(const Demo& demo, std::unique_ptr<Simulation> simulation, const Options& options,
+         bool seen);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;

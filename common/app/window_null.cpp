@@ -11,12 +11,14 @@ bool has_window() { return false; }
 
 bool show_window(const Demo& demo, std::unique_ptr<Simulation>, const Options&) {
   std::cerr << demo.stage.name
-            << ": this build has no window (SDL2, Dear ImGui or libpng was missing); running without one\n";
+            << ": this build has no window (SDL2, Dear ImGui or libpng was missing); running "
+               "without one\n";
   return false;
 }
 
 void save_picture(const Demo&, std::unique_ptr<Simulation>, const Options&, const std::string&) {
-  throw MachineFailure("--screenshot needs a build with SDL2, Dear ImGui and libpng, and this is none");
+  throw MachineFailure(
+      "--screenshot needs a build with SDL2, Dear ImGui and libpng, and this is none");
 }
 
 void record_clip(const Demo&, std::unique_ptr<Simulation>, const Options&, const std::string&) {

@@ -147,9 +147,9 @@ struct PhaseEnd {
 /// Each phase of a ball above a level floor at height 0, in closed form. It serves every stage in
 /// which a ball meets one fixed surface; EventDriven (event_driven.hpp) walks through the phases.
 struct BouncePhases {
-  double mass;         // kg
-  double gravity;      // m/s^2
-  double radius;       // m
+  double mass;     // kg
+  double gravity;  // m/s^2
+  double radius;   // m
   SpringDamper contact;
 
   Phase phase_at(const State<double>& state) const {
@@ -170,8 +170,10 @@ struct BouncePhases {
     switch (phase) {
       case Phase::flight:
         return {time_to_fall(start.position - radius, start.velocity, gravity), Phase::touch};
-      case Phase::touch: return end_of_touch(start);
-      case Phase::let_go: break;
+      case Phase::touch:
+        return end_of_touch(start);
+      case Phase::let_go:
+        break;
     }
     return end_of_let_go(start);
   }

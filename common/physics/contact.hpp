@@ -43,7 +43,8 @@ inline double damping_ratio(double stiffness, double damping, double mass) {
 /// (infinity) from zeta = 1 on. `push_only`: until the force is gone, which is sooner and finite.
 /// Source: Schwager and Poeschel, Granular Matter 9, 465 (2007); their formula for zeta < 1,
 /// (pi - atan2(2 beta omega_d, omega0^2 - 2 beta^2)) / omega_d, is written here as twice half the
-/// angle, and the one for zeta > 1 as an inverse hyperbolic sine: both keep all digits near zeta = 1.
+/// angle, and the one for zeta > 1 as an inverse hyperbolic sine: both keep all digits near zeta
+/// = 1.
 inline double contact_time(const SpringDamper& contact, double mass) {
   const double omega0 = natural_frequency(contact.stiffness, mass);
   const double beta = contact.damping / (2 * mass);

@@ -14,9 +14,9 @@ struct TimeStandsStill : std::runtime_error {
   double t;
 };
 
-/// Walks from event to event (touch, lift-off). Within a phase the movement is a formula, so there is no
-/// time step, no step error, and the cost is per bounce, whatever the stiffness. What remains is
-/// rounding. `Phases` is a type like BouncePhases (closed_form.hpp).
+/// Walks from event to event (touch, lift-off). Within a phase the movement is a formula, so there
+/// is no time step, no step error, and the cost is per bounce, whatever the stiffness. What remains
+/// is rounding. `Phases` is a type like BouncePhases (closed_form.hpp).
 template <class Phases>
 class EventDriven {
  public:
@@ -32,7 +32,7 @@ class EventDriven {
   }
 
   double next_event() const { return start_ + end_.after; }  // [s]; `never` when there is none
-  double last_event() const { return start_; }               // [s]; the start before the first event
+  double last_event() const { return start_; }  // [s]; the start before the first event
   Phase phase() const { return phase_; }
   const State<double>& state_at_last_event() const { return state_; }
 

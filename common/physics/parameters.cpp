@@ -67,7 +67,8 @@ Parameter velocity(double& value) {
   return {"velocity", "m/s", "speed at the start, upwards", &value, any, {-10, 10}, true};
 }
 Parameter radius(double& value) {
-  return {"radius", "m", "the ball touches the floor below this height", &value, positive, {0.05, 0.3}};
+  return {"radius", "m",      "the ball touches the floor below this height",
+          &value,   positive, {0.05, 0.3}};
 }
 Parameter stiffness(double& value) {
   return {"stiffness", "N/m", "spring force per overlap", &value, positive, {500, 1e5}};

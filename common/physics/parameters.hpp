@@ -32,8 +32,8 @@ struct Parameter {
   std::string unit;  // empty for a choice
   std::string meaning;
   std::variant<double*, Choice> value;
-  Range valid{};   // what a number may be: wide, up to where arithmetic still holds
-  Range slider{};  // what is worth playing with
+  Range valid{};          // what a number may be: wide, up to where arithmetic still holds
+  Range slider{};         // what is worth playing with
   bool is_start = false;  // tells where a run begins, not what its law is
 
   /// The value in shortest decimals, or the chosen name.

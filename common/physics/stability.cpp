@@ -6,8 +6,8 @@
 namespace bounce {
 
 double explicit_euler_limit(double zeta) {
-  if (zeta < 1) return 2 * zeta;                     // complex pair: |1 + lambda dt| = 1
-  return 2 / (zeta + std::sqrt(zeta * zeta - 1));    // real: the faster eigenvalue reaches -1
+  if (zeta < 1) return 2 * zeta;                   // complex pair: |1 + lambda dt| = 1
+  return 2 / (zeta + std::sqrt(zeta * zeta - 1));  // real: the faster eigenvalue reaches -1
 }
 
 double semi_implicit_euler_limit(double zeta) {

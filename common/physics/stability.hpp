@@ -19,8 +19,8 @@ double explicit_euler_limit(double zeta);
 /// it is the same map.
 double semi_implicit_euler_limit(double zeta);
 
-/// Classical Runge-Kutta: |1 + z + z^2/2 + z^3/6 + z^4/24| <= 1 for z = lambda dt, found by bisection;
-/// 2 sqrt(2) at zeta = 0.
+/// Classical Runge-Kutta: |1 + z + z^2/2 + z^3/6 + z^4/24| <= 1 for z = lambda dt, found by
+/// bisection; 2 sqrt(2) at zeta = 0.
 double rk4_limit(double zeta);
 
 /// A step that is good enough to look at [s]: a twentieth of the largest stable step of the slides'

@@ -43,7 +43,8 @@ class Trace {
   std::vector<std::string> columns_;
 };
 
-/// The times of the trace rows: those of --at, or every --sample, or every step (event for `exact`).
+/// The times of the trace rows: those of --at, or every --sample, or every step (event for
+/// `exact`).
 class RowTimes {
  public:
   RowTimes(const Options& options, double start) : options_(options) {
@@ -81,8 +82,7 @@ double seconds_since(Clock::time_point start) {
 
 /// "name=value" pairs in one line, for people and for programs.
 std::string summary(const StageName& stage, Simulation& simulation, double start, double wall,
-                    double stepping, double energy_at_start,
-                    long long steps_at_start) {
+                    double stepping, double energy_at_start, long long steps_at_start) {
   std::string line = stage.name + ": method=" + name_of(simulation.method());
   const auto say = [&line](const std::string& name, double value) {
     line += " " + name + "=" + to_rounded_text(value, 4);
@@ -166,14 +166,16 @@ std::string step_warning(const Simulation& simulation) {
   if (limit == 0) {
     return name_of(simulation.method()) +
            " gains energy on an undamped spring at every time step: take semi-implicit-euler with "
-           "dt = " + good + " s";
+           "dt = " +
+           good + " s";
   }
-  return "dt = " + to_rounded_text(simulation.dt()) + " s is too large: " +
-         name_of(simulation.method()) + " is stable up to " + to_rounded_text(limit) +
-         " s on this contact, and good to look at with " + good + " s";
+  return "dt = " + to_rounded_text(simulation.dt()) +
+         " s is too large: " + name_of(simulation.method()) + " is stable up to " +
+         to_rounded_text(limit) + " s on this contact, and good to look at with " + good + " s";
 }
 
-int guarded(const StageName& stage, const Simulation& simulation, const std::function<int()>& work) {
+int guarded(const StageName& stage, const Simulation& simulation,
+            const std::function<int()>& work) {
   const auto say = [&](const std::string& sentence) {
     std::cerr << stage.name << ": " << sentence << "\n";
   };

@@ -8,7 +8,13 @@
 namespace bounce {
 
 /// Exit codes of every program (docs/README.md).
-enum ExitCode { exit_ok = 0, exit_machine = 1, exit_input = 2, exit_physics = 3, exit_interrupted = 130 };
+enum ExitCode {
+  exit_ok = 0,
+  exit_machine = 1,
+  exit_input = 2,
+  exit_physics = 3,
+  exit_interrupted = 130
+};
 
 /// Runs to the end of the duration without a window: trace, saved state, one summary line on
 /// standard error. Throws BadInput, MachineFailure, and what Simulation::advance_to throws.

@@ -9,30 +9,42 @@ namespace bounce {
 
 std::string name_of(Method method) {
   switch (method) {
-    case Method::explicit_euler: return "explicit-euler";
-    case Method::semi_implicit_euler: return "semi-implicit-euler";
-    case Method::velocity_verlet: return "velocity-verlet";
-    case Method::rk4: return "rk4";
-    case Method::exact: break;
+    case Method::explicit_euler:
+      return "explicit-euler";
+    case Method::semi_implicit_euler:
+      return "semi-implicit-euler";
+    case Method::velocity_verlet:
+      return "velocity-verlet";
+    case Method::rk4:
+      return "rk4";
+    case Method::exact:
+      break;
   }
   return "exact";
 }
 
 int force_evaluations_per_step(Method method) {
   switch (method) {
-    case Method::rk4: return 4;
-    case Method::exact: return 0;
-    default: return 1;
+    case Method::rk4:
+      return 4;
+    case Method::exact:
+      return 0;
+    default:
+      return 1;
   }
 }
 
 double largest_stable_step(Method method, double omega0, double zeta) {
   switch (method) {
-    case Method::explicit_euler: return explicit_euler_limit(zeta) / omega0;
+    case Method::explicit_euler:
+      return explicit_euler_limit(zeta) / omega0;
     case Method::semi_implicit_euler:
-    case Method::velocity_verlet: return semi_implicit_euler_limit(zeta) / omega0;
-    case Method::rk4: return rk4_limit(zeta) / omega0;
-    case Method::exact: break;
+    case Method::velocity_verlet:
+      return semi_implicit_euler_limit(zeta) / omega0;
+    case Method::rk4:
+      return rk4_limit(zeta) / omega0;
+    case Method::exact:
+      break;
   }
   return std::numeric_limits<double>::infinity();
 }

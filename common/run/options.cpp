@@ -48,13 +48,15 @@ void declare(CLI::App& app, Words& words, Options& options, bool& list) {
   app.add_option("--sample", words.sample, "trace rows at 0, S, 2 S, ... instead of every step")
       ->type_name("S");
   app.add_option("--at", words.at, "trace rows at exactly these times")->type_name("T1,T2,...");
-  app.add_option("--screenshot", options.screenshot, "the picture at the end of --duration (no window)")
+  app.add_option("--screenshot", options.screenshot,
+                 "the picture at the end of --duration (no window)")
       ->type_name("FILE.png");
   app.add_option("--record", options.record, "a clip of --duration; needs ffmpeg (no window)")
       ->type_name("FILE.gif|FILE.mp4");
   app.add_option("--save", options.save, "save the state at the end of the run")->type_name("FILE");
   app.add_option("--load", options.load, "go on from a saved state")->type_name("FILE");
-  app.add_option("--seed", words.seed, "for scenes with chance in them (default 1)")->type_name("N");
+  app.add_option("--seed", words.seed, "for scenes with chance in them (default 1)")
+      ->type_name("N");
   app.add_flag("--calm", options.calm, "no trail and nothing that flashes or shakes");
   app.allow_extras();  // to say ourselves what was not understood
 }
@@ -78,7 +80,8 @@ void set_parameters(const std::vector<std::string>& settings, Simulation& simula
   for (const std::string& setting : settings) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos) {
-      throw BadInput("--set '" + setting + "' is not allowed: it must be NAME=VALUE, such as --set " +
+      throw BadInput("--set '" + setting +
+                     "' is not allowed: it must be NAME=VALUE, such as --set " +
                      parameters[0].name + "=" + parameters[0].text());
     }
     find_parameter(parameters, setting.substr(0, equals)).set(setting.substr(equals + 1));
@@ -107,7 +110,8 @@ void read_times(const Words& words, Options& options, double start) {
   if (!words.sample.empty())
     options.sample = number("--sample", words.sample, {1e-15, 1e15}, " (s)");
   if (!words.at.empty()) {
-    if (options.sample > 0) throw BadInput("--at and --sample exclude each other: give one of them");
+    if (options.sample > 0)
+      throw BadInput("--at and --sample exclude each other: give one of them");
     for (const std::string& text : split(words.at)) {
       options.at.push_back(number("--at", text, {start, options.duration}, " (s, the --duration)"));
     }
@@ -120,8 +124,8 @@ void check_size(const Options& options, const Simulation& simulation) {
   const double steps = options.duration / simulation.dt();
   if (stepping && steps > most_steps) {
     throw BadInput("--dt " + to_text(simulation.dt()) + " with --duration " +
-                   to_text(options.duration) + " is not allowed: that is " + to_rounded_text(steps) +
-                   " steps, and a run may have at most 1e11");
+                   to_text(options.duration) + " is not allowed: that is " +
+                   to_rounded_text(steps) + " steps, and a run may have at most 1e11");
   }
   if (options.csv.empty()) return;
   const double rows = !options.at.empty()  ? static_cast<double>(options.at.size())
@@ -149,7 +153,8 @@ bool parse_command_line(int argc, const char* const* argv, const StageName& stag
     return false;
   } catch (const CLI::ParseError& error) {
     // "--dt: 1 required S|auto missing" and the like
-    throw BadInput(std::string(error.what()) + ": an option takes one value; --help shows them all");
+    throw BadInput(std::string(error.what()) +
+                   ": an option takes one value; --help shows them all");
   }
   if (!app.remaining().empty()) refuse_extra(app, app.remaining().front());
 
@@ -165,8 +170,9 @@ bool parse_command_line(int argc, const char* const* argv, const StageName& stag
   simulation.restart();
   if (!options.load.empty()) {
     if (!words.method.empty() || !words.dt.empty() || !words.set.empty()) {
-      throw BadInput("--load brings its own method, time step and parameters: leave out --method, "
-                     "--dt and --set");
+      throw BadInput(
+          "--load brings its own method, time step and parameters: leave out --method, "
+          "--dt and --set");
     }
     load_state(options.load, stage, simulation);
   }
@@ -190,8 +196,9 @@ bool parse_command_line(int argc, const char* const* argv, const StageName& stag
 std::string list_text(const StageName& stage, Simulation& fresh) {
   std::string text = stage.name + ": " + stage.about + "\n\nmethods: " + names_of(fresh.methods()) +
                      " (default: " + name_of(Method::semi_implicit_euler) + ")\n\n";
-  const auto row = [&text](const std::string& name, const std::string& unit, const std::string& value,
-                           const std::string& valid, const std::string& meaning) {
+  const auto row = [&text](const std::string& name, const std::string& unit,
+                           const std::string& value, const std::string& valid,
+                           const std::string& meaning) {
     char line[300];
     std::snprintf(line, sizeof line, "%-10s %-6s %-8s %-32s %s\n", name.c_str(), unit.c_str(),
                   value.c_str(), valid.c_str(), meaning.c_str());

@@ -16,13 +16,13 @@ struct StageName {
 /// What the user asked for on the command line. Parameters, method and time step are not here: they
 /// are already set in the simulation.
 struct Options {
-  double duration = 10;         // s
-  double tolerance = 1e-12;     // of the `reference` method
-  double sample = 0;            // s between trace rows; 0: a row every step
-  std::vector<double> at;       // the times of the trace rows, ascending; empty: see `sample`
+  double duration = 10;      // s
+  double tolerance = 1e-12;  // of the `reference` method
+  double sample = 0;         // s between trace rows; 0: a row every step
+  std::vector<double> at;    // the times of the trace rows, ascending; empty: see `sample`
   std::string csv, screenshot, record, save, load;  // paths; empty: not wanted
   std::uint64_t seed = 1;
-  bool headless = false;        // also when a file is asked for that needs no window
+  bool headless = false;  // also when a file is asked for that needs no window
   bool calm = false;
 };
 
@@ -32,7 +32,8 @@ struct Options {
 bool parse_command_line(int argc, const char* const* argv, const StageName& stage,
                         Simulation& simulation, Options& options);
 
-/// What `--list` prints: the methods, and every parameter with unit, default, valid values, meaning.
+/// What `--list` prints: the methods, and every parameter with unit, default, valid values,
+/// meaning.
 std::string list_text(const StageName& stage, Simulation& fresh);
 
 /// The command that starts a run like this one: only what differs from the defaults.

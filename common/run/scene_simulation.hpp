@@ -119,10 +119,12 @@ class SceneSimulation final : public Simulation {
         return loop([](auto& s, double now, S& x, double h) { explicit_euler(s, now, x, h); });
       case Method::semi_implicit_euler:
         return loop([](auto& s, double now, S& x, double h) { semi_implicit_euler(s, now, x, h); });
-      case Method::velocity_verlet: return loop(verlet_);
+      case Method::velocity_verlet:
+        return loop(verlet_);
       case Method::rk4:
         return loop([](auto& s, double now, S& x, double h) { rk4(s, now, x, h); });
-      case Method::exact: return;
+      case Method::exact:
+        return;
     }
   }
 
@@ -158,7 +160,8 @@ class SceneSimulation final : public Simulation {
         if (own != 4 || !(all[5] == 0 || all[5] == 1 || all[5] == 2)) return false;
         walker_.resume(all[2], {all[3], all[4]}, static_cast<Phase>(static_cast<int>(all[5])));
         return true;
-      default: return own == 0;
+      default:
+        return own == 0;
     }
   }
 

@@ -44,14 +44,14 @@ class Simulation {
   virtual std::optional<ContactNumbers> contact() const = 0;
 
   // ---- Where it stands
-  double time() const { return time_; }                   // [s]
-  double dt() const { return dt_; }                       // [s]
+  double time() const { return time_; }  // [s]
+  double dt() const { return dt_; }      // [s]
   Method method() const { return method_; }
-  long long steps() const { return steps_; }              // since the start, shortened ones too
-  virtual std::vector<double> values() const = 0;         // one trace row (or more) without `t`
+  long long steps() const { return steps_; }       // since the start, shortened ones too
+  virtual std::vector<double> values() const = 0;  // one trace row (or more) without `t`
   virtual std::vector<double> exact_values(double t) const = 0;  // the exact solution's; or empty
-  virtual Energy energy() const = 0;                      // [J]
-  virtual std::optional<StateError> error() const = 0;    // against the exact solution, now
+  virtual Energy energy() const = 0;                             // [J]
+  virtual std::optional<StateError> error() const = 0;           // against the exact solution, now
 
   // ---- Setting it up. Method and time step may change in the middle of a run.
   void use_method(Method method);
@@ -66,7 +66,8 @@ class Simulation {
   virtual void parameters_changed() = 0;
 
   // ---- Moving. Steps end at whole multiples of dt, and at every time that is asked for: a step is
-  // shortened to land there, and its rest follows. Throws NonFinite, and leaves the last good state.
+  // shortened to land there, and its rest follows. Throws NonFinite, and leaves the last good
+  // state.
   void advance_to(double t);
   void advance_one_step() { advance_to(time_of_next_step()); }
   double time_of_next_step() const;
@@ -74,12 +75,12 @@ class Simulation {
   /// The next touch or lift-off [s], known for `exact` only; else infinity.
   virtual double next_event() const = 0;
 
-  // ---- Energy since the last restart or change of parameters [J]. Whatever is not here now and was
-  // not taken by the damper is the method's error. Keeping the damper's book costs as much as a
+  // ---- Energy since the last restart or change of parameters [J]. Whatever is not here now and
+  // was not taken by the damper is the method's error. Keeping the damper's book costs as much as a
   // step, so that only the window does it.
   virtual void keep_energy_book(bool keep) = 0;
   virtual double energy_before() const = 0;
-  virtual double energy_lost() const = 0;  // to the damper; 0 while no book is kept
+  virtual double energy_lost() const = 0;                  // to the damper; 0 while no book is kept
   virtual std::optional<double> exact_energy() const = 0;  // of the exact solution, now
 
   // ---- For `--save` and `--load`: all that the next step depends on, as plain numbers.
@@ -112,9 +113,9 @@ class Simulation {
   Method method_ = Method::semi_implicit_euler;
   double dt_ = 1e-3;
   double time_ = 0;
-  double grid_start_ = 0;      // steps end at grid_start_ + n dt_
-  long long grid_steps_ = 0;   // n of the last grid point passed
-  double into_step_ = 0;       // how far beyond it, when a step was shortened [s]
+  double grid_start_ = 0;     // steps end at grid_start_ + n dt_
+  long long grid_steps_ = 0;  // n of the last grid point passed
+  double into_step_ = 0;      // how far beyond it, when a step was shortened [s]
   long long steps_ = 0;
 };
 

@@ -9,13 +9,13 @@ namespace bounce {
 
 /// Stage 1. A ball in free fall: the only force is gravity. One dimension, y is up.
 struct FreeFall {
-  double mass = 1.0;                // kg
-  double gravity = 9.81;            // m/s^2
-  State<double> start{5.0, 0.0};    // m, m/s
+  double mass = 1.0;              // kg
+  double gravity = 9.81;          // m/s^2
+  State<double> start{5.0, 0.0};  // m, m/s
 
   // [force]
   double force(double /*t*/, const State<double>& /*state*/) const {
-    return -mass * gravity;         // downwards, so negative: y is up
+    return -mass * gravity;  // downwards, so negative: y is up
   }
   // [force]
 

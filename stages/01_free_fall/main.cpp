@@ -17,7 +17,7 @@ static BallOnALine ball(const Player& player) {
   BallOnALine look{.radius = 0.12, .forces = forces};  // drawn with a radius; the law has none
   look.floor = false;
   look.strobe = true;
-  look.lowest = -0.5;
+  look.lowest = -1.0;
   look.highest = 5.3;
   return look;
 }
@@ -26,15 +26,20 @@ int main(int argc, char** argv) {
   Demo demo;
   demo.stage = {"01_free_fall", "a ball falls, step by step and by formula"};
   demo.title = "Stage 1: free fall";
-  demo.question = "Make dt a hundred times larger. Where does the ball of the loop end up beside the one of the formula?";
+  demo.question =
+      "Make dt a hundred times larger. Where does the ball of the loop end up beside the one of "
+      "the formula?";
   demo.sliders = {"mass", "gravity"};
   demo.make = [] { return std::make_unique<Run>(); };
   use_side_view(demo, ball);
-  demo.plots = {{"velocity", "m/s", palette::motion,
-                 [](const TracePoint& point) { return point.values[1]; },
-                 [](const TracePoint& point) { return point.exact[1]; }},
-                {"position minus exact", "m", palette::ink,
-                 [](const TracePoint& point) { return point.values[0] - point.exact[0]; }, {}}};
-  demo.is_over = [](const Player& player) { return player.shown_values()[0] < -0.5; };
+  demo.plots = {
+      {"velocity", "m/s", palette::motion, [](const TracePoint& point) { return point.values[1]; },
+       [](const TracePoint& point) { return point.exact[1]; }},
+      {"position minus exact",
+       "m",
+       palette::ink,
+       [](const TracePoint& point) { return point.values[0] - point.exact[0]; },
+       {}}};
+  demo.is_over = [](const Player& player) { return player.shown_values()[0] < -1.0; };
   return play(argc, argv, demo);
 }

@@ -26,10 +26,13 @@ int main(int argc, char** argv) {
   demo.sliders = {"stiffness", "position"};
   demo.make = [] { return std::make_unique<Run>(); };
   use_side_view(demo, ball);
-  demo.plots = {{"velocity", "m/s", palette::motion,
-                 [](const TracePoint& point) { return point.values[1]; },
-                 [](const TracePoint& point) { return point.exact[1]; }},
-                {"energy that the method made", "J", palette::ink,
-                 [](const TracePoint& point) { return point.energy_error(); }, {}}};
+  demo.plots = {
+      {"velocity", "m/s", palette::motion, [](const TracePoint& point) { return point.values[1]; },
+       [](const TracePoint& point) { return point.exact[1]; }},
+      {"energy that the method made",
+       "J",
+       palette::ink,
+       [](const TracePoint& point) { return point.energy_error(); },
+       {}}};
   return play(argc, argv, demo);
 }

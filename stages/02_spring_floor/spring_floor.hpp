@@ -35,9 +35,12 @@ struct SpringFloor {
   }
 
   std::vector<Parameter> parameters() {
-    return {describe::mass(mass), describe::gravity(gravity),
-            describe::position(start.position, 1.2), describe::velocity(start.velocity),
-            describe::radius(radius), describe::stiffness(stiffness)};
+    return {describe::mass(mass),
+            describe::gravity(gravity),
+            describe::position(start.position, 1.2),
+            describe::velocity(start.velocity),
+            describe::radius(radius),
+            describe::stiffness(stiffness)};
   }
 };
 

@@ -11,11 +11,11 @@ namespace bounce {
 
 /// Stage 3. A damper beside the spring brakes the ball while it touches, and the bounces die out.
 struct Damping {
-  double mass = 1.0;              // kg
-  double gravity = 9.81;          // m/s^2
-  double radius = 0.1;            // m
-  double stiffness = 1e4;         // N/m
-  double damping = 5.0;           // N s/m
+  double mass = 1.0;       // kg
+  double gravity = 9.81;   // m/s^2
+  double radius = 0.1;     // m
+  double stiffness = 1e4;  // N/m
+  double damping = 5.0;    // N s/m
   ContactLaw contact = ContactLaw::slides;
   State<double> start{1.0, 0.0};  // m, m/s
 
@@ -48,10 +48,14 @@ struct Damping {
   }
 
   std::vector<Parameter> parameters() {
-    return {describe::mass(mass), describe::gravity(gravity),
-            describe::position(start.position, 1.2), describe::velocity(start.velocity),
-            describe::radius(radius), describe::stiffness(stiffness),
-            describe::damping(damping), describe::contact(contact)};
+    return {describe::mass(mass),
+            describe::gravity(gravity),
+            describe::position(start.position, 1.2),
+            describe::velocity(start.velocity),
+            describe::radius(radius),
+            describe::stiffness(stiffness),
+            describe::damping(damping),
+            describe::contact(contact)};
   }
 };
 

@@ -23,14 +23,19 @@ int main(int argc, char** argv) {
   Demo demo;
   demo.stage = {"03_damping", "a ball on a floor with spring and damper"};
   demo.title = "Stage 3: damping";
-  demo.question = "How much damping lets the ball come back to half its height? And how much makes it stay down?";
+  demo.question =
+      "How much damping lets the ball come back to half its height? And how much makes it stay "
+      "down?";
   demo.sliders = {"damping", "stiffness", "contact"};
   demo.make = [] { return std::make_unique<Run>(); };
   use_side_view(demo, ball);
-  demo.plots = {{"velocity", "m/s", palette::motion,
-                 [](const TracePoint& point) { return point.values[1]; },
-                 [](const TracePoint& point) { return point.exact[1]; }},
-                {"energy lost to the damper", "J", palette::damper,
-                 [](const TracePoint& point) { return point.lost; }, {}}};
+  demo.plots = {
+      {"velocity", "m/s", palette::motion, [](const TracePoint& point) { return point.values[1]; },
+       [](const TracePoint& point) { return point.exact[1]; }},
+      {"energy lost to the damper",
+       "J",
+       palette::damper,
+       [](const TracePoint& point) { return point.lost; },
+       {}}};
   return play(argc, argv, demo);
 }

@@ -1,0 +1,22 @@
+#pragma once
+#include <string>
+
+namespace bounce::test {
+
+/// What a program printed and how it ended.
+struct Outcome {
+  int code;
+  std::string out;
+  std::string err;
+};
+
+/// Runs one of the course's programs, "03_damping --headless ...", in a fresh folder of its own.
+Outcome run_program(const std::string& command);
+
+/// The folder in which the last program ran; the next one empties it.
+std::string work_folder();
+
+/// A whole file; empty when it is not there.
+std::string read_file(const std::string& path);
+
+}  // namespace bounce::test
