@@ -43,8 +43,8 @@ Outcome run_program(const std::string& command, const std::string& environment) 
   const fs::path& here = folder();
   fs::remove_all(here);
   fs::create_directories(here / "work");
-  const std::string shell = "cd '" + (here / "work").string() + "' && " + environment + " '" BOUNCE_BIN_DIR "'/" +
-                            command + " > ../out 2> ../err < /dev/null";
+  const std::string shell = "cd '" + (here / "work").string() + "' && " + environment +
+                            " '" BOUNCE_BIN_DIR "'/" + command + " > ../out 2> ../err < /dev/null";
   const int status = std::system(shell.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
           read_file((here / "out").string()), read_file((here / "err").string())};
