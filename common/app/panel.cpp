@@ -130,9 +130,21 @@ void Panel::draw_parameter(Player& player, View& view, const Parameter& paramete
       ImGui::SameLine();
     }
     ImGui::TextUnformatted(parameter.name.c_str());
+  } else if (const auto* vector = std::get_if<Components>(&parameter.value)) {
+    std::vector<double> value(vector->begin(), vector->end());
+    const Range& range = parameter.slider;
+    if (ImGui::SliderScalarN(parameter.name.c_str(), ImGuiDataType_Double, value.data(),
+                             static_cast<int>(value.size()), &range.lowest, &range.highest,
+                             "%.3g") &&
+        parameter.allows(value)) {
+      apply(to_text(value));
+    }
+    note_slider(player, view);
+    ImGui::SameLine();
+    ImGui::TextColored(colour(palette::exact), "%s", parameter.unit.c_str());
   } else {
     double value = **std::get_if<double*>(&parameter.value);
-    if (slide(parameter.name.c_str(), value, parameter.slider) && parameter.valid.contains(value)) {
+    if (slide(parameter.name.c_str(), value, parameter.slider) && parameter.allows({&value, 1})) {
       apply(to_text(value));
     }
     note_slider(player, view);

@@ -17,6 +17,13 @@ inline double kinetic_energy(double mass, double velocity) {
   return mass * velocity * velocity / 2;
 }
 
+/// m |v|^2 / 2, for a velocity that is an Eigen vector.
+template <class Vector>
+requires requires(const Vector& velocity) { velocity.squaredNorm(); }
+double kinetic_energy(double mass, const Vector& velocity) {
+  return mass * velocity.squaredNorm() / 2;
+}
+
 /// m g y: zero at height 0, and negative below.
 inline double gravitational_energy(double mass, double gravity, double height) {
   return mass * gravity * height;

@@ -16,17 +16,17 @@ struct TimeStandsStill : std::runtime_error {
 
 /// Walks from event to event (touch, lift-off). Within a phase the movement is a formula, so there
 /// is no time step, no step error, and the cost is per bounce, whatever the stiffness. What remains
-/// is rounding. `Phases` is a type like BouncePhases (closed_form.hpp).
-template <class Phases>
+/// is rounding. `Phases` is a type like BouncePhases (closed_form.hpp); `Vector` as in state.hpp.
+template <class Phases, class Vector = double>
 class EventDriven {
  public:
-  EventDriven(const Phases& phases, double t, const State<double>& state)
+  EventDriven(const Phases& phases, double t, const State<Vector>& state)
       : phases_(phases), start_(t), state_(state), phase_(phases_.phase_at(state)) {
     find_end();
   }
 
   /// The state at time `t`. Time only goes forward: `t` may not lie before the last event passed.
-  State<double> at(double t) {
+  State<Vector> at(double t) {
     while (t >= next_event()) pass_event();
     return phases_.move(phase_, state_, t - start_);
   }
@@ -34,10 +34,10 @@ class EventDriven {
   double next_event() const { return start_ + end_.after; }  // [s]; `never` when there is none
   double last_event() const { return start_; }  // [s]; the start before the first event
   Phase phase() const { return phase_; }
-  const State<double>& state_at_last_event() const { return state_; }
+  const State<Vector>& state_at_last_event() const { return state_; }
 
   void pass_event() {
-    const State<double> arrived = phases_.move(phase_, state_, end_.after);
+    const State<Vector> arrived = phases_.move(phase_, state_, end_.after);
     state_ = phases_.at_event(phase_, end_.next, arrived);
     const double rounding = 4 * std::numeric_limits<double>::epsilon() * start_;
     crowded_ = end_.after > rounding ? 0 : crowded_ + 1;
@@ -48,7 +48,7 @@ class EventDriven {
   }
 
   /// Continues a run that was saved: in the middle of `phase`, which began at `t` with `state`.
-  void resume(double t, const State<double>& state, Phase phase) {
+  void resume(double t, const State<Vector>& state, Phase phase) {
     start_ = t;
     state_ = state;
     phase_ = phase;
@@ -60,7 +60,7 @@ class EventDriven {
 
   Phases phases_;
   double start_;  // when the current phase began
-  State<double> state_;
+  State<Vector> state_;
   Phase phase_;
   PhaseEnd end_{};
   int crowded_ = 0;  // events in a row that did not advance time

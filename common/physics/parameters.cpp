@@ -6,13 +6,26 @@ namespace bounce {
 
 std::string Parameter::text() const {
   if (const auto* number = std::get_if<double*>(&value)) return to_text(**number);
+  if (const auto* vector = std::get_if<Components>(&value)) return to_text(*vector);
   const Choice& choice = std::get<Choice>(value);
   return choice.names[choice.selected()];
 }
 
 std::string Parameter::allowed() const {
   if (const auto* choice = std::get_if<Choice>(&value)) return join(choice->names, " or ");
-  return "a number from " + to_text(valid.lowest) + " to " + to_text(valid.highest);
+  const std::string range = " from " + to_text(valid.lowest) + " to " + to_text(valid.highest);
+  if (const auto* vector = std::get_if<Components>(&value)) {
+    return std::to_string(vector->size()) + " numbers" + range + ", separated by commas" +
+           (is_not_zero ? ", not all of them 0" : "");
+  }
+  return "a number" + range;
+}
+
+bool Parameter::allows(std::span<const double> numbers) const {
+  const auto is_valid = [this](double number) { return valid.contains(number); };
+  const auto is_zero = [](double number) { return number == 0; };
+  return std::all_of(numbers.begin(), numbers.end(), is_valid) &&
+         !(is_not_zero && std::all_of(numbers.begin(), numbers.end(), is_zero));
 }
 
 void Parameter::set(std::string_view text) const {
@@ -27,9 +40,18 @@ void Parameter::set(std::string_view text) const {
     choice->select(static_cast<std::size_t>(found - choice->names.begin()));
     return;
   }
-  const std::optional<double> number = parse_number(text);
-  if (!number || !valid.contains(*number)) refuse();
-  **std::get_if<double*>(&value) = *number;
+  // A number is a vector of one.
+  Components target;
+  if (const auto* number = std::get_if<double*>(&value)) target = {*number, 1};
+  if (const auto* vector = std::get_if<Components>(&value)) target = *vector;
+  std::vector<double> numbers;
+  for (const std::string& word : split(text)) {
+    const std::optional<double> number = parse_number(word);
+    if (!number) refuse();
+    numbers.push_back(*number);
+  }
+  if (numbers.size() != target.size() || !allows(numbers)) refuse();
+  std::copy(numbers.begin(), numbers.end(), target.begin());
 }
 
 const Parameter& find_parameter(const std::vector<Parameter>& parameters, std::string_view name) {
@@ -50,6 +72,12 @@ namespace {
 constexpr Range positive{1e-30, 1e30};
 constexpr Range not_negative{0, 1e30};
 constexpr Range any{-1e15, 1e15};
+
+Choice on_off(bool& value) {
+  return {{"on", "off"},
+          [&value] { return value ? std::size_t{0} : std::size_t{1}; },
+          [&value](std::size_t index) { value = index == 0; }};
+}
 
 }  // namespace
 
@@ -77,10 +105,19 @@ Parameter damping(double& value) {
   return {"damping", "N s/m", "damper force per speed; 0 for none", &value, not_negative, {0, 300}};
 }
 Parameter contact(ContactLaw& value) {
-  Choice choice{{"slides", "push-only"},
-                [&value] { return static_cast<std::size_t>(value); },
-                [&value](std::size_t index) { value = static_cast<ContactLaw>(index); }};
-  return {"contact", "", "may the damper pull the ball back at lift-off?", std::move(choice)};
+  return {"contact", "", "may the damper pull the ball back at lift-off?",
+          choice_of(value, {"slides", "push-only"})};
+}
+Parameter position(Components value, double highest_slider) {
+  const Range slider{-highest_slider, highest_slider};
+  return {"position", "m", "the ball's centre x,y,z at the start; y is up", value, any,
+          slider,     true};
+}
+Parameter velocity(Components value) {
+  return {"velocity", "m/s", "velocity x,y,z at the start; y is up", value, any, {-5, 5}, true};
+}
+Parameter floor(bool& value) {
+  return {"floor", "", "is there a floor at height 0?", on_off(value)};
 }
 
 }  // namespace describe

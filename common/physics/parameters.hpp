@@ -1,5 +1,7 @@
 #pragma once
+#include <cstddef>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -24,6 +26,16 @@ struct Choice {
   std::function<void(std::size_t)> select;
 };
 
+/// A choice that is kept in an enum whose values count 0, 1, 2 in the order of `names`.
+template <class Enum>
+Choice choice_of(Enum& value, std::vector<std::string> names) {
+  return {std::move(names), [&value] { return static_cast<std::size_t>(value); },
+          [&value](std::size_t index) { value = static_cast<Enum>(index); }};
+}
+
+/// The numbers of a vector parameter, such as position = 0,1,0.
+using Components = std::span<double>;
+
 /// One parameter of a scene, described once. From this description come the slider, `--set`,
 /// `--list` and the check of what the user gives. It refers to a field of the scene that made it,
 /// so it must not outlive that scene.
@@ -31,15 +43,18 @@ struct Parameter {
   std::string name;
   std::string unit;  // empty for a choice
   std::string meaning;
-  std::variant<double*, Choice> value;
-  Range valid{};          // what a number may be: wide, up to where arithmetic still holds
-  Range slider{};         // what is worth playing with
-  bool is_start = false;  // tells where a run begins, not what its law is
+  std::variant<double*, Components, Choice> value;
+  Range valid{};             // what a number may be: wide, up to where arithmetic still holds
+  Range slider{};            // what is worth playing with
+  bool is_start = false;     // tells where a run begins, not what its law is
+  bool is_not_zero = false;  // a vector that gives a direction: not all of its numbers may be 0
 
-  /// The value in shortest decimals, or the chosen name.
+  /// The value in shortest decimals ("0,1,0" for a vector), or the chosen name.
   std::string text() const;
-  /// "a number from 1e-30 to 1e30", "slides or push-only".
+  /// "a number from 1e-30 to 1e30", "3 numbers from -1 to 1, separated by commas", "on or off".
   std::string allowed() const;
+  /// Whether a number, or the numbers of a vector, may be set.
+  bool allows(std::span<const double> numbers) const;
   /// Throws BadInput for text that is no number, and for a value that is not allowed.
   void set(std::string_view text) const;
 };
@@ -58,6 +73,13 @@ Parameter radius(double& value);
 Parameter stiffness(double& value);
 Parameter damping(double& value);
 Parameter contact(ContactLaw& value);
+
+// In three dimensions: x, y, z, with y up.
+Parameter position(Components value, double highest_slider);
+Parameter velocity(Components value);
+
+/// on|off
+Parameter floor(bool& value);
 
 }  // namespace describe
 

@@ -24,6 +24,12 @@ std::string to_text(double value) {
   return error == std::errc{} ? std::string(digits.data(), end) : "?";
 }
 
+std::string to_text(std::span<const double> values) {
+  std::vector<std::string> words;
+  for (const double value : values) words.push_back(to_text(value));
+  return join(words, ",");
+}
+
 std::string to_rounded_text(double value, int digits) {
   std::array<char, 40> buffer{};
   std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, value);

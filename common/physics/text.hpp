@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -18,6 +19,9 @@ std::optional<double> parse_number(std::string_view text);
 
 /// The shortest decimal that reads back as the same double: 0.1 stays "0.1".
 std::string to_text(double value);
+
+/// The same for several numbers, with commas: "0,1,0".
+std::string to_text(std::span<const double> values);
 
 /// For messages to people: `digits` significant digits, "1.23e-05" where that is shorter.
 std::string to_rounded_text(double value, int digits = 3);

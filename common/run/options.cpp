@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
+#include <array>
 #include <iostream>
 #include <optional>
 
@@ -201,17 +201,21 @@ bool parse_command_line(int argc, const char* const* argv, const StageName& stag
 std::string list_text(const StageName& stage, Simulation& fresh) {
   std::string text = stage.name + ": " + stage.about + "\n\nmethods: " + names_of(fresh.methods()) +
                      " (default: " + name_of(Method::semi_implicit_euler) + ")\n\n";
-  const auto row = [&text](const std::string& name, const std::string& unit,
-                           const std::string& value, const std::string& valid,
-                           const std::string& meaning) {
-    char line[300];
-    std::snprintf(line, sizeof line, "%-10s %-6s %-8s %-32s %s\n", name.c_str(), unit.c_str(),
-                  value.c_str(), valid.c_str(), meaning.c_str());
-    text += line;
-  };
-  row("parameter", "unit", "default", "valid", "meaning");
+  using Row = std::array<std::string, 5>;
+  std::vector<Row> rows{{"parameter", "unit", "default", "valid", "meaning"}};
   for (const Parameter& parameter : fresh.parameters()) {
-    row(parameter.name, parameter.unit, parameter.text(), parameter.allowed(), parameter.meaning);
+    rows.push_back(
+        {parameter.name, parameter.unit, parameter.text(), parameter.allowed(), parameter.meaning});
+  }
+  std::array<std::size_t, 4> widths{10, 6, 8, 32};  // wider where a word needs it
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  }
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+      text += row[i] + std::string(widths[i] - row[i].size() + 1, ' ');
+    }
+    text += row.back() + "\n";
   }
   return text;
 }

@@ -63,9 +63,6 @@ Lines read_lines(const std::string& path) {
 
 void save_state(const std::string& path, const StageName& stage, Simulation& simulation) {
   const Simulation::Memory memory = simulation.memory();
-  std::vector<std::string> numbers;
-  for (const double value : memory.numbers) numbers.push_back(to_text(value));
-
   std::string text = first_line;
   text += "stage " + stage.name + "\n";
   text += "method " + name_of(simulation.method()) + "\n";
@@ -78,7 +75,7 @@ void save_state(const std::string& path, const StageName& stage, Simulation& sim
   text += "grid_steps " + std::to_string(memory.grid_steps) + "\n";
   text += "into_step " + to_text(memory.into_step) + "\n";
   text += "steps " + std::to_string(memory.steps) + "\n";
-  text += "numbers " + join(numbers, ",") + "\n";
+  text += "numbers " + to_text(memory.numbers) + "\n";
   text += "checksum " + checksum(text) + "\n";
 
   OutputFile file("--save", path);

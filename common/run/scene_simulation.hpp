@@ -6,29 +6,32 @@
 #include <string>
 #include <vector>
 
+#include "physics/components.hpp"
 #include "physics/event_driven.hpp"
 #include "physics/integrators.hpp"
 #include "run/simulation.hpp"
 
 namespace bounce {
 
-/// Runs a one-dimensional scene (stages 1 to 3). `Exact` is the scene's movement in closed form,
-/// made from the scene (the stage's exact.hpp).
+/// Runs a scene with one ball, in one dimension or three: what `Scene::start` says. `Exact` is the
+/// scene's movement in closed form, made from the scene (the stage's exact.hpp).
 template <class Scene, class Exact>
 class SceneSimulation final : public Simulation {
  public:
+  using Vector = decltype(Scene::start.position);  // double or Eigen::Vector3d
+
   SceneSimulation() { reset_state(); }
 
   const Scene& scene() const { return scene_; }
-  const State<double>& state() const { return state_; }
+  const State<Vector>& state() const { return state_; }
 
   /// What the exact solution says at `t`, from the last start or change of parameters on; `t` may
   /// lie a little before the simulation's time, for a smooth picture. Empty where the solution's
   /// events no longer advance time.
-  std::optional<State<double>> exact_state(double t) const {
+  std::optional<State<Vector>> exact_state(double t) const {
     try {
-      const State<double> exact = truth_.at(std::max(t, truth_.last_event()));
-      if (std::isfinite(exact.position) && std::isfinite(exact.velocity)) return exact;
+      const State<Vector> exact = truth_.at(std::max(t, truth_.last_event()));
+      if (all_finite(exact)) return exact;
     } catch (const TimeStandsStill&) {
     }
     return std::nullopt;
@@ -42,13 +45,22 @@ class SceneSimulation final : public Simulation {
     return {Method::explicit_euler, Method::semi_implicit_euler, Method::velocity_verlet,
             Method::rk4, Method::exact};
   }
-  std::vector<std::string> columns() const override { return {"y", "v"}; }
-  std::vector<double> values() const override { return {state_.position, state_.velocity}; }
+  std::vector<std::string> columns() const override {
+    if constexpr (dimensions == 1) {
+      return {"y", "v"};
+    } else {
+      return {"x", "y", "z", "vx", "vy", "vz"};
+    }
+  }
+  std::vector<double> values() const override { return numbers_of(state_); }
   std::vector<double> exact_values(double t) const override {
-    const std::optional<State<double>> exact = exact_state(t);
-    return exact ? std::vector<double>{exact->position, exact->velocity} : std::vector<double>{};
+    const std::optional<State<Vector>> exact = exact_state(t);
+    return exact ? numbers_of(*exact) : std::vector<double>{};
   }
   std::optional<ContactNumbers> contact() const override {
+    if constexpr (requires { scene_.floor; }) {
+      if (!scene_.floor) return std::nullopt;
+    }
     if constexpr (requires { scene_.stiffness; }) {
       double c = 0;
       if constexpr (requires { scene_.damping; }) c = scene_.damping;
@@ -59,18 +71,18 @@ class SceneSimulation final : public Simulation {
     }
   }
   std::optional<StateError> error() const override {
-    const std::optional<State<double>> exact = exact_state(time());
+    const std::optional<State<Vector>> exact = exact_state(time());
     if (!exact) return std::nullopt;
-    return StateError{std::abs(state_.position - exact->position),
-                      std::abs(state_.velocity - exact->velocity)};
+    return StateError{distance_between(state_.position, exact->position),
+                      distance_between(state_.velocity, exact->velocity)};
   }
 
   void place(const std::vector<double>& values) override {
-    state_ = {values.at(0), values.at(1)};
+    state_ = state_from(values, 0);
     parameters_changed();
   }
   void parameters_changed() override {
-    walker_ = EventDriven<Exact>(Exact(scene_), time(), state_);
+    walker_ = Walker(Exact(scene_), time(), state_);
     verlet_.acceleration.reset();
     compare_from_here();
   }
@@ -80,7 +92,7 @@ class SceneSimulation final : public Simulation {
 
   Energy energy() const override { return scene_.energy(state_); }
   std::optional<double> exact_energy() const override {
-    const std::optional<State<double>> exact = exact_state(time());
+    const std::optional<State<Vector>> exact = exact_state(time());
     if (!exact) return std::nullopt;
     return scene_.energy(*exact).total();
   }
@@ -97,23 +109,23 @@ class SceneSimulation final : public Simulation {
   }
 
   void compare_from_here() override {
-    truth_ = EventDriven<Exact>(Exact(scene_), time(), state_);
+    truth_ = Walker(Exact(scene_), time(), state_);
     energy_before_ = energy().total();
     lost_ = 0;
   }
 
   void take_steps(long long count, double t, double dt) override {
     const auto loop = [&](auto&& step) {
-      State<double> state = state_;  // a local copy can live in registers
+      State<Vector> state = state_;  // a local copy can live in registers
       for (long long i = 0; i < count; ++i) {
         const double now = t + static_cast<double>(i) * dt;
-        const State<double> before = state;
+        const State<Vector> before = state;
         step(scene_, now, state, dt);
         if (keep_book_) book(now, before, state, dt);
       }
       state_ = state;
     };
-    using S = State<double>;
+    using S = State<Vector>;
     switch (method()) {
       case Method::explicit_euler:
         return loop([](auto& s, double now, S& x, double h) { explicit_euler(s, now, x, h); });
@@ -130,56 +142,84 @@ class SceneSimulation final : public Simulation {
 
   void move_exactly_to(double t) override { state_ = walker_.at(t); }
 
-  bool is_finite() const override {
-    return std::isfinite(state_.position) && std::isfinite(state_.velocity);
-  }
+  bool is_finite() const override { return all_finite(state_); }
 
   std::vector<double> numbers() const override {
-    std::vector<double> all{state_.position, state_.velocity};
+    std::vector<double> all = numbers_of(state_);
     if (method() == Method::velocity_verlet && verlet_.acceleration) {
-      all.push_back(*verlet_.acceleration);
+      append(all, *verlet_.acceleration);
     }
     if (method() == Method::exact) {
-      const State<double>& start = walker_.state_at_last_event();
-      all.insert(all.end(), {walker_.last_event(), start.position, start.velocity,
-                             static_cast<double>(walker_.phase())});
+      all.push_back(walker_.last_event());
+      append(all, walker_.state_at_last_event().position);
+      append(all, walker_.state_at_last_event().velocity);
+      all.push_back(static_cast<double>(walker_.phase()));
     }
     return all;
   }
 
   bool recall_numbers(const std::vector<double>& all) override {
-    if (all.size() < 2) return false;
-    const std::size_t own = all.size() - 2;
-    state_ = {all[0], all[1]};
+    constexpr std::size_t of_state = 2 * dimensions;
+    if (all.size() < of_state) return false;
+    const std::size_t own = all.size() - of_state;
+    state_ = state_from(all, 0);
     switch (method()) {
       case Method::velocity_verlet:
         verlet_.acceleration.reset();
-        if (own == 1) verlet_.acceleration = all[2];
-        return own <= 1;
-      case Method::exact:
-        if (own != 4 || !(all[5] == 0 || all[5] == 1 || all[5] == 2)) return false;
-        walker_.resume(all[2], {all[3], all[4]}, static_cast<Phase>(static_cast<int>(all[5])));
+        if (own == dimensions) verlet_.acceleration = vector_from(all, of_state);
+        return own == 0 || own == dimensions;
+      case Method::exact: {
+        const double phase = all.back();
+        if (own != of_state + 2 || !(phase == 0 || phase == 1 || phase == 2)) return false;
+        walker_.resume(all[of_state], state_from(all, of_state + 1),
+                       static_cast<Phase>(static_cast<int>(phase)));
         return true;
+      }
       default:
         return own == 0;
     }
   }
 
  private:
+  using Walker = EventDriven<Exact, Vector>;
+  static constexpr std::size_t dimensions = sizeof(Vector) / sizeof(double);
+
+  // State <-> plain numbers, in the order of the trace: position, then velocity.
+  static void append(std::vector<double>& all, const Vector& vector) {
+    for (const double number : components(vector)) all.push_back(number);
+  }
+  static std::vector<double> numbers_of(const State<Vector>& state) {
+    std::vector<double> all;
+    append(all, state.position);
+    append(all, state.velocity);
+    return all;
+  }
+  static Vector vector_from(const std::vector<double>& all, std::size_t first) {
+    Vector vector;
+    for (double& number : components(vector)) number = all.at(first++);
+    return vector;
+  }
+  static State<Vector> state_from(const std::vector<double>& all, std::size_t first) {
+    return {vector_from(all, first), vector_from(all, first + dimensions)};
+  }
+  static bool all_finite(const State<Vector>& state) {
+    return bounce::is_finite(state.position) && bounce::is_finite(state.velocity);
+  }
+
   // The damper's work over one step, by the midpoint rule.
-  void book(double t, const State<double>& before, const State<double>& after, double dt) {
+  void book(double t, const State<Vector>& before, const State<Vector>& after, double dt) {
     if constexpr (requires { scene_.damper_force(t, before); }) {
-      const State<double> middle{(before.position + after.position) / 2,
+      const State<Vector> middle{(before.position + after.position) / 2,
                                  (before.velocity + after.velocity) / 2};
-      lost_ -= scene_.damper_force(t + dt / 2, middle) * middle.velocity * dt;
+      lost_ -= dot(scene_.damper_force(t + dt / 2, middle), middle.velocity) * dt;
     }
   }
 
   Scene scene_;
-  State<double> state_ = scene_.start;
-  VelocityVerlet<double> verlet_;
-  EventDriven<Exact> walker_{Exact(scene_), 0, state_};         // the movement, for `exact`
-  mutable EventDriven<Exact> truth_{Exact(scene_), 0, state_};  // what all others are compared with
+  State<Vector> state_ = scene_.start;
+  VelocityVerlet<Vector> verlet_;
+  Walker walker_{Exact(scene_), 0, state_};         // the movement, for `exact`
+  mutable Walker truth_{Exact(scene_), 0, state_};  // what all others are compared with
   bool keep_book_ = false;
   double energy_before_ = 0;
   double lost_ = 0;

@@ -1,0 +1,53 @@
+#pragma once
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <type_traits>
+
+namespace bounce {
+
+// One dimension or three: a position is a `double` or an Eigen vector. Traces, files and parameters
+// want plain numbers. These few functions see both kinds of position as a row of numbers, so that
+// what is written once serves all stages, and stages 1 to 3 need no Eigen.
+
+/// The numbers that `vector` is made of; through them it can be read and changed.
+template <class Vector>
+auto components(Vector& vector) {
+  using Number = std::conditional_t<std::is_const_v<Vector>, const double, double>;
+  if constexpr (std::is_same_v<std::remove_const_t<Vector>, double>) {
+    return std::span<Number>(&vector, 1);
+  } else {
+    return std::span<Number>(vector.data(), static_cast<std::size_t>(vector.size()));
+  }
+}
+
+/// Dot product; in one dimension the product.
+template <class Vector>
+double dot(const Vector& a, const Vector& b) {
+  if constexpr (std::is_same_v<Vector, double>) {
+    return a * b;
+  } else {
+    return a.dot(b);
+  }
+}
+
+/// Distance between two positions [m], or size of the difference of two velocities [m/s].
+template <class Vector>
+double distance_between(const Vector& a, const Vector& b) {
+  if constexpr (std::is_same_v<Vector, double>) {
+    return std::abs(a - b);
+  } else {
+    return (a - b).norm();
+  }
+}
+
+/// No component is infinite or "not a number".
+template <class Vector>
+bool is_finite(const Vector& vector) {
+  for (const double number : components(vector)) {
+    if (!std::isfinite(number)) return false;
+  }
+  return true;
+}
+
+}  // namespace bounce
