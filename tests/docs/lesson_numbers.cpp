@@ -304,7 +304,7 @@ void restitution_table() {
 void first_apex() {
   header({"damping [N s/m]", "damping ratio", "first top, `slides` [m]",
           "pull at lift-off, `slides` [N]", "first top, `push-only` [m]"});
-  for (const double c : {5.0, 18.0, 43.0, 100.0, 200.0}) {
+  for (const double c : {5.0, 18.0, 25.0, 43.0, 100.0, 140.0, 200.0}) {
     std::vector<std::string> cells{text("%g", c), text("%g", c / 200)};
     for (const ContactLaw law : {ContactLaw::slides, ContactLaw::push_only}) {
       const Damping scene = damped(c, law);
@@ -318,23 +318,30 @@ void first_apex() {
   }
 }
 
-/// Restitution of one bounce after the other, with gravity: it depends on the speed.
+/// Restitution of one touch after the other, with gravity: it depends on the speed.
 void bounces() {
-  header({"bounce", "speed in [m/s]", "restitution, `slides`", "restitution, `push-only`"});
-  std::vector<std::vector<std::string>> rows(7);
+  header({"touch", "speed in, `slides` [m/s]", "restitution", "speed in, `push-only` [m/s]",
+          "restitution"});
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t n = 0; n < 12; ++n) rows.push_back({std::to_string(n + 1), "", "", "", ""});
   for (const ContactLaw law : {ContactLaw::slides, ContactLaw::push_only}) {
+    const std::size_t column = law == ContactLaw::slides ? 1 : 3;
     EventDriven<DampingExact> ball = walk(damped(18, law));
-    for (std::size_t n = 0; n < rows.size(); ++n) {
+    for (auto& cells : rows) {
       ball.pass_event();
       const double in = -ball.state_at_last_event().velocity;
+      cells[column] = text("%.3f", in);
       while (ball.phase() != Phase::flight && ball.next_event() != never) ball.pass_event();
       const bool leaves = ball.phase() == Phase::flight;
-      if (law == ContactLaw::slides) rows[n] = {std::to_string(n + 1), text("%.3f", in)};
-      rows[n].push_back(leaves ? text("%.4f", ball.state_at_last_event().velocity / in) : "stays");
+      const double e = ball.state_at_last_event().velocity / in;
+      cells[column + 1] = leaves ? text("%.4f", e) : "stays";
       if (!leaves) break;
     }
   }
   for (const auto& cells : rows) row(cells);
+  const double slides = restitution({1e4, 18, ContactLaw::slides}, 1);
+  const double push_only = restitution({1e4, 18, ContactLaw::push_only}, 1);
+  row({"without gravity", "any", text("%.4f", slides), "any", text("%.4f", push_only)});
 }
 
 /// The resting height is right at every step; the first bounce is not.

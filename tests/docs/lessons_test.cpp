@@ -62,7 +62,7 @@ void check_clean(const CheckedLesson& checked, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("a block that is as it should be passes; one that drifted is found and mended") {
+TEST_CASE("a block that is as it should be passes, and one that drifted is found and mended") {
   const Project project;
   struct Case {
     std::string marker, block, drifted;
