@@ -16,6 +16,7 @@ struct View {
   bool trail = true;
   bool ghost = true;
   bool help = false;
+  bool from_above = false;          // in space: the camera looks straight down
   std::vector<TracePoint> future;   // with the present setting, while a slider moves
   std::vector<TracePoint> earlier;  // with the setting before
 };
@@ -40,9 +41,10 @@ struct Demo {
   std::function<void(const Player&, const View&, Canvas&)> picture;
   std::vector<Plot> plots;  // at most two
   /// Called while the mouse button is down on the ball; empty when it cannot be dragged.
-  std::function<bool(const Player&, Point)> is_on_ball;
+  std::function<bool(const Player&, const View&, Point)> is_on_ball;
   /// Puts the ball where the mouse is, with that velocity of the mouse [px/s].
-  std::function<void(Player&, Point, Point velocity)> drag;
+  std::function<void(Player&, const View&, Point, Point velocity)> drag;
+  bool in_space = false;  // three dimensions: the view from above makes sense
   /// The demo starts anew (in the window only) when this says so.
   std::function<bool(const Player&)> is_over;
 };

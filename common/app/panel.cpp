@@ -160,7 +160,8 @@ void Panel::draw_keys() {
   ImGui::SetCursorPosY(bottom);
   ImGui::TextColored(colour(palette::exact),
                      "P pause   . , step   R restart   O slow   L lens\n"
-                     "F12 picture   F1 all keys   Esc quit   mouse: throw");
+                     "%s   F1 all keys   Esc quit   mouse: throw",
+                     demo_.in_space ? "T from above" : "F12 picture");
 }
 
 /// When a slider is taken, what would have happened is kept for comparison; while it moves, what
