@@ -39,12 +39,14 @@ std::string read_file(const std::string& path) {
   return text.str();
 }
 
-Outcome run_program(const std::string& command) {
+Outcome run_program(const std::string& command) { return run_program_with("", command); }
+
+Outcome run_program_with(const std::string& environment, const std::string& command) {
   const fs::path& here = folder();
   fs::remove_all(here);
   fs::create_directories(here / "work");
-  const std::string shell = "cd '" + (here / "work").string() + "' && '" BOUNCE_BIN_DIR "'/" +
-                            command + " > ../out 2> ../err < /dev/null";
+  const std::string shell = "cd '" + (here / "work").string() + "' && " + environment +
+                            " '" BOUNCE_BIN_DIR "'/" + command + " > ../out 2> ../err < /dev/null";
   const int status = std::system(shell.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
           read_file((here / "out").string()), read_file((here / "err").string())};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <iostream>
+#include <optional>
 
 #include "physics/stability.hpp"
 #include "run/save_load.hpp"
@@ -23,7 +24,7 @@ double number(const std::string& option, const std::string& text, Range valid, c
 
 /// The words of the command line as they came; checked later, so that all messages are ours.
 struct Words {
-  std::string method, dt, duration, tolerance, sample, at, seed;
+  std::optional<std::string> method, dt, duration, tolerance, sample, at, seed;
   std::vector<std::string> set;
 };
 
@@ -100,19 +101,18 @@ double step_from(const std::string& text, const Simulation& simulation) {
 }
 
 void read_times(const Words& words, Options& options, double start) {
-  if (!words.duration.empty())
-    options.duration = number("--duration", words.duration, {1e-15, 1e15}, " (s)");
+  if (words.duration)
+    options.duration = number("--duration", *words.duration, {1e-15, 1e15}, " (s)");
   if (options.duration <= start) {
     throw BadInput("--duration " + to_text(options.duration) +
                    " is not allowed: the saved run stands at " + to_text(start) +
                    " s, and the duration counts from 0");
   }
-  if (!words.sample.empty())
-    options.sample = number("--sample", words.sample, {1e-15, 1e15}, " (s)");
-  if (!words.at.empty()) {
+  if (words.sample) options.sample = number("--sample", *words.sample, {1e-15, 1e15}, " (s)");
+  if (words.at) {
     if (options.sample > 0)
       throw BadInput("--at and --sample exclude each other: give one of them");
-    for (const std::string& text : split(words.at)) {
+    for (const std::string& text : split(*words.at)) {
       options.at.push_back(number("--at", text, {start, options.duration}, " (s, the --duration)"));
     }
     std::sort(options.at.begin(), options.at.end());
@@ -158,38 +158,43 @@ bool parse_command_line(int argc, const char* const* argv, const StageName& stag
   }
   if (!app.remaining().empty()) refuse_extra(app, app.remaining().front());
 
+  for (const char* option : {"--csv", "--screenshot", "--record", "--save", "--load"}) {
+    if (app.count(option) > 0 && app[option]->as<std::string>().empty()) {
+      throw BadInput(std::string(option) + " '' is not allowed: it must be the path of a file");
+    }
+  }
   if (list) {
     std::cout << list_text(stage, simulation);
     return false;
   }
   set_parameters(words.set, simulation);
-  if (!words.method.empty()) {
-    simulation.use_method(find_method(words.method, simulation.methods()));
+  if (words.method) {
+    simulation.use_method(find_method(*words.method, simulation.methods()));
   }
-  if (!words.dt.empty()) simulation.use_dt(step_from(words.dt, simulation));
+  if (words.dt) simulation.use_dt(step_from(*words.dt, simulation));
   simulation.restart();
   if (!options.load.empty()) {
-    if (!words.method.empty() || !words.dt.empty() || !words.set.empty()) {
+    if (words.method || words.dt || !words.set.empty()) {
       throw BadInput(
           "--load brings its own method, time step and parameters: leave out --method, "
           "--dt and --set");
     }
     load_state(options.load, stage, simulation);
   }
-  if (!words.tolerance.empty()) {
-    options.tolerance = number("--tolerance", words.tolerance, {1e-15, 1}, "");
+  if (words.tolerance) {
+    options.tolerance = number("--tolerance", *words.tolerance, {1e-15, 1}, "");
   }
-  if (!words.seed.empty()) {
-    const double seed = number("--seed", words.seed, {0, 1e15}, "");
+  if (words.seed) {
+    const double seed = number("--seed", *words.seed, {0, 1e15}, "");
     options.seed = static_cast<std::uint64_t>(seed);
     if (static_cast<double>(options.seed) != seed) {
-      throw BadInput("--seed '" + words.seed + "' is not allowed: it must be a whole number");
+      throw BadInput("--seed '" + *words.seed + "' is not allowed: it must be a whole number");
     }
   }
   read_times(words, options, simulation.time());
   check_size(options, simulation);
   options.headless |= !options.csv.empty() || !options.screenshot.empty() ||
-                      !options.record.empty() || !words.at.empty() || options.sample > 0;
+                      !options.record.empty() || words.at || options.sample > 0;
   return true;
 }
 

@@ -1,1 +1,333 @@
+// The command line as another program drives it: rows, exit codes, messages, files.
+
 #include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "physics/text.hpp"
+#include "run_program.hpp"
+
+using namespace bounce;
+using test::Outcome;
+using test::run_program;
+
+namespace {
+
+const std::string stages[] = {"01_free_fall", "02_spring_floor", "03_damping"};
+
+std::vector<std::string> lines(const std::string& text) {
+  std::vector<std::string> all;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) all.push_back(line);
+  return all;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// What a run leaves in its folder.
+std::vector<std::string> files() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(test::work_folder())) {
+    names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+double last_value(const std::string& row) { return parse_number(split(row).back()).value(); }
+
+}  // namespace
+
+TEST_CASE("--at gives rows at exactly these times") {
+  for (const std::string& stage : stages) {
+    for (const std::string method :
+         {"explicit-euler", "semi-implicit-euler", "velocity-verlet", "rk4", "exact"}) {
+      const Outcome run =
+          run_program(stage + " --headless --csv - --at 0.5,1,2 --method " + method);
+      CAPTURE(run.err);
+      CHECK(run.code == 0);
+      const auto rows = lines(run.out);
+      REQUIRE(rows.size() == 4);
+      CHECK(rows[0] == "t,y,v");
+      CHECK(rows[1].rfind("0.5,", 0) == 0);
+      CHECK(rows[2].rfind("1,", 0) == 0);
+      CHECK(rows[3].rfind("2,", 0) == 0);
+    }
+  }
+}
+
+TEST_CASE("--sample gives rows at 0, S, 2 S, ..., and every step without it") {
+  const auto sampled =
+      lines(run_program("03_damping --csv - --sample 0.25 --duration 1 --dt 0.003").out);
+  REQUIRE(sampled.size() == 6);
+  CHECK(sampled[1] == "0,1,0");
+  CHECK(sampled[2].rfind("0.25,", 0) == 0);
+  CHECK(sampled[5].rfind("1,", 0) == 0);
+  const auto every = lines(run_program("03_damping --csv - --duration 1 --dt 0.3").out);
+  REQUIRE(every.size() == 6);  // header, 0, 0.3, 0.6, 0.9, 1
+  CHECK(every[5].rfind("1,", 0) == 0);
+  // A step that divides the duration leaves no stray row a rounding before its end.
+  CHECK(lines(run_program("03_damping --csv - --duration 0.7 --dt 0.1").out).size() == 9);
+}
+
+TEST_CASE("exact writes one row an event") {
+  const auto rows = lines(run_program("03_damping --method exact --csv - --duration 1").out);
+  REQUIRE(rows.size() == 5);  // header, start, touch, lift-off, end
+  CHECK(split(rows[2])[1] == "0.1");
+  CHECK(split(rows[3])[1] == "0.1");
+  CHECK(last_value(rows[2]) < 0);
+  CHECK(last_value(rows[3]) > 0);
+}
+
+TEST_CASE("landing on a time between two steps does not disturb the steps after it") {
+  // The cut step is made in two parts, so the result may differ, but the grid of steps stays: times
+  // later are still multiples of dt, and the difference is of the size of one step's error.
+  const auto with = lines(run_program("02_spring_floor --csv - --at 0.40035,2 --dt 0.001").out);
+  const auto without = lines(run_program("02_spring_floor --csv - --at 2 --dt 0.001").out);
+  REQUIRE(with.size() == 3);
+  CHECK(std::abs(last_value(with[2]) - last_value(without[1])) < 0.05);
+  // In free fall a cut step of semi-implicit Euler changes the error by less than g dt^2.
+  const auto fall = lines(run_program("01_free_fall --csv - --at 0.40035,1 --dt 0.001").out);
+  const auto fall_plain = lines(run_program("01_free_fall --csv - --at 1 --dt 0.001").out);
+  CHECK(std::abs(parse_number(split(fall[2])[1]).value() -
+                 parse_number(split(fall_plain[1])[1]).value()) < 9.81e-6);
+}
+
+TEST_CASE("every run ends with one summary line on standard error") {
+  const Outcome run = run_program("03_damping --headless");
+  CHECK(run.code == 0);
+  CHECK(run.out.empty());
+  REQUIRE(lines(run.err).size() == 1);
+  for (const std::string field :
+       {"method=semi-implicit-euler", "dt=0.001", "simulated_s=10", "wall_s=", "steps=10000",
+        "force_evaluations=10000",
+        "ns_per_step=", "energy_drift=", "position_error_m=", "velocity_error_m_per_s="}) {
+    CAPTURE(field);
+    CHECK(contains(run.err, field));
+  }
+  CHECK(contains(run_program("03_damping --headless --method rk4").err, "force_evaluations=40000"));
+}
+
+TEST_CASE("a run that was saved and goes on gives the same bits as one that never stopped") {
+  for (const std::string method :
+       {"explicit-euler", "semi-implicit-euler", "velocity-verlet", "rk4", "exact"}) {
+    // 0.4371 s is in the middle of a contact (and of a step of dt = 0.0007).
+    for (const std::string stop : {"0.43", "0.4371", "1"}) {
+      const std::string setting = "03_damping --headless --dt 0.0007 --method " + method;
+      CAPTURE(setting);
+      CAPTURE(stop);
+      const std::string state = std::filesystem::temp_directory_path() / "bounce_saved_state";
+      REQUIRE(run_program(setting + " --duration " + stop + " --save " + state).code == 0);
+      const Outcome later = run_program("03_damping --load " + state + " --csv - --at 2,3");
+      CHECK(later.code == 0);
+      // The run without a stop cuts the same step, at the same time.
+      const auto whole = lines(run_program(setting + " --csv - --at " + stop + ",2,3").out);
+      const auto rest = lines(later.out);
+      REQUIRE(rest.size() == 3);
+      REQUIRE(whole.size() == 4);
+      CHECK(rest[1] == whole[2]);
+      CHECK(rest[2] == whole[3]);
+      std::filesystem::remove(state);
+    }
+  }
+}
+
+TEST_CASE("a damaged, foreign or missing saved state is refused") {
+  const std::string state = std::filesystem::temp_directory_path() / "bounce_damaged_state";
+  REQUIRE(run_program("03_damping --headless --duration 1 --save " + state).code == 0);
+  const std::string text = test::read_file(state);
+  const auto refused = [&](const std::string& content, const std::string& program) {
+    std::ofstream(state) << content;
+    const Outcome run = run_program(program + " --headless --load " + state);
+    CAPTURE(run.err);
+    CHECK(run.code == 2);
+    CHECK(contains(run.err, "--load"));
+    CHECK(lines(run.err).size() == 1);
+  };
+  std::string damaged = text;
+  damaged.replace(damaged.find("set.mass 1"), 10, "set.mass 2");
+  refused(damaged, "03_damping");
+  refused(text.substr(0, text.size() / 2), "03_damping");
+  refused("", "03_damping");
+  refused("hello\n", "03_damping");
+  refused(text, "02_spring_floor");
+  std::filesystem::remove(state);
+  CHECK(run_program("03_damping --headless --load /nowhere/at/all").code == 2);
+}
+
+TEST_CASE("--list names methods and parameters, and what is valid") {
+  for (const std::string& stage : stages) {
+    const Outcome run = run_program(stage + " --list");
+    CHECK(run.code == 0);
+    for (const std::string word :
+         {"semi-implicit-euler", "exact", "mass", "gravity", "9.81", "m/s^2"}) {
+      CHECK(contains(run.out, word));
+    }
+  }
+  CHECK(contains(run_program("03_damping --list").out, "slides or push-only"));
+  CHECK(contains(run_program("03_damping --list --set mass=7").out, "mass       kg     1 "));
+}
+
+TEST_CASE(
+    "bad input: exit code 2, one sentence with name, value and what is allowed, nothing written") {
+  struct Row {
+    std::string options, name, value, allowed;
+  };
+  const Row rows[] = {
+      {"--dt 0", "--dt", "0", "1e-15"},
+      {"--dt -0.1", "--dt", "-0.1", "1e-15"},
+      {"--dt fast", "--dt", "fast", "auto"},
+      {"--dt nan", "--dt", "nan", "1e-15"},
+      {"--dt inf", "--dt", "inf", "1e-15"},
+      {"--dt 1e-3x", "--dt", "1e-3x", "number"},
+      {"--dt ''", "--dt", "", "number"},
+      {"--duration 0", "--duration", "0", "1e-15"},
+      {"--duration -1", "--duration", "-1", "1e-15"},
+      {"--duration NaN", "--duration", "NaN", "number"},
+      {"--set mass=0", "mass", "0", "1e-30"},
+      {"--set mass=-2", "mass", "-2", "1e-30"},
+      {"--set mass=heavy", "mass", "heavy", "number"},
+      {"--set mass=nan", "mass", "nan", "number"},
+      {"--set mass=-inf", "mass", "-inf", "number"},
+      {"--set mass=1e308", "mass", "1e308", "1e+30"},
+      {"--set mass=1e-320", "mass", "1e-320", "1e-30"},
+      {"--set mass=1,2", "mass", "1,2", "number"},
+      {"--set mass=", "mass", "", "number"},
+      {"--set radius=0", "radius", "0", "1e-30"},
+      {"--set radius=-0.1", "radius", "-0.1", "1e-30"},
+      {"--set stiffness=0", "stiffness", "0", "1e-30"},
+      {"--set stiffness=-1e4", "stiffness", "-1e4", "1e-30"},
+      {"--set damping=-1", "damping", "-1", "0 to"},
+      {"--set gravity=-9.81", "gravity", "-9.81", "0 to"},
+      {"--set position=up", "position", "up", "number"},
+      {"--set contact=sticky", "contact", "sticky", "slides or push-only"},
+      {"--set stifness=3", "stifness", "did you mean stiffness", "damping"},
+      {"--set damping", "--set", "damping", "NAME=VALUE"},
+      {"--set =3", "parameter", "''", "mass"},
+      {"--method rk5", "--method", "did you mean rk4", "explicit-euler"},
+      {"--metod rk4", "--metod", "did you mean --method", "--help"},
+      {"--nonsense", "--nonsense", "", "--help"},
+      {"mass=3", "mass=3", "", "--set"},
+      {"--dt", "--dt", "", "value"},
+      {"--dt 1e-3 --dt 1e-4", "--dt", "", "value"},
+      {"--sample 0 --csv -", "--sample", "0", "1e-15"},
+      {"--at 1,x --csv -", "--at", "x", "0 to 10"},
+      {"--at 11 --csv -", "--at", "11", "0 to 10"},
+      {"--at -1 --csv -", "--at", "-1", "0 to 10"},
+      {"--at 1,,2 --csv -", "--at", "''", "0 to 10"},
+      {"--at 1 --sample 1 --csv -", "--at", "--sample", "one of them"},
+      {"--dt 1e-12 --duration 1", "--dt", "1e-12", "1e11"},
+      {"--csv - --dt 1e-8 --duration 2", "--csv", "rows", "1e8"},
+      {"--csv - --sample 1e-9", "--csv", "rows", "1e8"},
+      {"--seed 1.5", "--seed", "1.5", "whole"},
+      {"--seed -1", "--seed", "-1", "0 to"},
+      {"--tolerance 0", "--tolerance", "0", "1e-15"},
+      {"--csv /nowhere/x.csv", "--csv", "/nowhere/x.csv", "folder"},
+      {"--csv .", "--csv", ".", "file"},
+      {"--save /nowhere/x --headless", "--save", "/nowhere/x", "folder"},
+      {"--csv ''", "--csv", "''", "path"},
+      {"--screenshot ''", "--screenshot", "''", "path"},
+      {"--load /nowhere/x --dt 1e-3", "--load", "--dt", "leave out"},
+  };
+  for (const Row& row : rows) {
+    // A trace is asked for in each case: it must not appear.
+    const bool has_csv = contains(row.options, "--csv");
+    const Outcome run = run_program("03_damping --headless " +
+                                    std::string(has_csv ? "" : "--csv out.csv ") + row.options);
+    CAPTURE(row.options);
+    CAPTURE(run.err);
+    CHECK(run.code == 2);
+    CHECK(run.out.empty());
+    CHECK(lines(run.err).size() == 1);
+    CHECK(contains(run.err, row.name));
+    CHECK(contains(run.err, row.value));
+    CHECK(contains(run.err, row.allowed));
+    CHECK(files().empty());
+  }
+}
+
+TEST_CASE("bad input leaves a file that was there before as it was") {
+  const std::string path = std::filesystem::temp_directory_path() / "bounce_old_trace.csv";
+  std::ofstream(path) << "precious";
+  CHECK(run_program("03_damping --headless --dt -1 --csv " + path).code == 2);
+  CHECK(test::read_file(path) == "precious");
+  std::filesystem::remove(path);
+}
+
+TEST_CASE("a state that becomes infinite: exit code 3, the time, and a step that is stable") {
+  // A ball that explodes is thrown into the air, and so rarely gets to infinity. This one does:
+  // c dt / m is 1e70, and the slopes of one Runge-Kutta step multiply by it in turn.
+  const Outcome run = run_program(
+      "03_damping --headless --csv out.csv --method rk4 --dt 1e10 --duration 1e12 --set mass=1e-30 "
+      "--set damping=1e30 --set stiffness=1e30 --set position=0.05 --set velocity=-1");
+  CAPTURE(run.err);
+  CHECK(run.code == 3);
+  CHECK(contains(run.err, "non-finite after t = "));
+  CHECK(contains(run.err, "stable up to "));
+  const std::string trace = test::read_file(test::work_folder() + "/out.csv");
+  CHECK(!contains(trace, "nan"));
+  CHECK(!contains(trace, "inf"));
+  CHECK(lines(trace).size() >= 2);
+}
+
+TEST_CASE("extreme but valid parameters run, or end with a sentence") {
+  for (const std::string options :
+       {"--set mass=1e-12 --set stiffness=1e9", "--set mass=1e6",
+        "--set mass=1e-30 --set stiffness=1e30", "--set position=-0.5", "--set position=1e15",
+        "--set gravity=0", "--set gravity=0 --set velocity=-1", "--set radius=1e-30",
+        "--set damping=1e30", "--set position=0", "--set velocity=1e-320"}) {
+    for (const std::string method : {"semi-implicit-euler", "rk4", "exact"}) {
+      const Outcome run = run_program("03_damping --headless --csv - --sample 1 --method " +
+                                      method + " " + options);
+      CAPTURE(options);
+      CAPTURE(method);
+      CAPTURE(run.err);
+      CHECK((run.code == 0 || run.code == 3));
+      CHECK(!contains(run.out, "nan"));
+      CHECK(!contains(run.out, "inf"));
+    }
+  }
+}
+
+TEST_CASE("a full disk is the machine's fault: exit code 1") {
+  const Outcome run = run_program("03_damping --headless --csv /dev/full");
+  CHECK(run.code == 1);
+  CHECK(contains(run.err, "/dev/full"));
+  // A device is no file to be replaced: it is written directly, and stays what it is.
+  CHECK(run_program("03_damping --headless --csv /dev/null").code == 0);
+  CHECK(!std::filesystem::exists("/dev/null.part"));
+}
+
+TEST_CASE("--dt auto takes a step that suits the contact") {
+  const Outcome soft = run_program("02_spring_floor --headless --dt auto --set stiffness=100");
+  CHECK(contains(soft.err, "dt=0.01 "));
+  const Outcome hard = run_program("02_spring_floor --headless --dt auto --set stiffness=1e6");
+  CHECK(contains(hard.err, "dt=1e-04 "));
+}
+
+TEST_CASE("a step that is too long for the contact is named before the run") {
+  const Outcome run = run_program("02_spring_floor --headless --dt 0.03 --duration 0.1");
+  CHECK(contains(run.err, "warning: dt = 0.03 s is too large"));
+  CHECK(run_program("02_spring_floor --headless --dt 0.001").err.find("warning") ==
+        std::string::npos);
+}
+
+TEST_CASE("an interrupted run keeps what was computed, and ends with exit code 130") {
+  // 1e11 steps would take minutes; Ctrl-C comes after half a second.
+  const Outcome run = test::run_program_with(
+      "timeout --preserve-status -s INT 0.5",
+      "03_damping --headless --dt 1e-9 --duration 100 --csv out.csv --sample 1e-3 --save state");
+  CAPTURE(run.err);
+  CHECK(run.code == 130);
+  CHECK(contains(run.err, "interrupted at t = "));
+  CHECK(lines(test::read_file(test::work_folder() + "/out.csv")).size() > 2);
+  CHECK(files() == std::vector<std::string>{"out.csv", "state"});
+}

@@ -1,0 +1,156 @@
+// The window on SDL's dummy driver: keys, mouse and widgets as a user would.
+
+#include "app/window.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "03_damping/exact.hpp"
+#include "app/layout.hpp"
+#include "app/side_view.hpp"
+#include "run/scene_simulation.hpp"
+
+using namespace bounce;
+
+namespace {
+
+using Run = SceneSimulation<Damping, DampingExact>;
+
+Demo demo() {
+  Demo demo;
+  demo.stage = {"03_damping", "test"};
+  demo.title = "test";
+  demo.question = "The first line of two,\nand the second";
+  demo.sliders = {"damping", "stiffness", "contact"};
+  demo.make = [] { return std::make_unique<Run>(); };
+  use_side_view(demo, [](const Player& player) {
+    const Damping scene = static_cast<const Run&>(player.simulation()).scene();
+    return BallOnALine{.radius = scene.radius, .forces = [scene](const State<double>& s) {
+                         return ForcesOnALine{-9.81, 0, scene.damper_force(0, s)};
+                       }};
+  });
+  return demo;
+}
+
+struct Fixture {
+  Demo shown = demo();
+  Options options;
+  Window window{shown, std::make_unique<Run>(), options, false};
+
+  void frames(int count) {
+    for (int i = 0; i < count; ++i) window.tick(1.0 / 60);
+  }
+  void press(SDL_Keycode key) {
+    SDL_Event event{};
+    event.type = SDL_KEYDOWN;
+    event.key.keysym.sym = key;
+    SDL_PushEvent(&event);
+    frames(1);
+  }
+  void mouse(Uint32 type, float x, float y) {
+    SDL_Event event{};
+    event.type = type;
+    if (type == SDL_MOUSEMOTION) {
+      event.motion.x = static_cast<int>(x);
+      event.motion.y = static_cast<int>(y);
+    } else {
+      event.button.button = SDL_BUTTON_LEFT;
+      event.button.x = static_cast<int>(x);
+      event.button.y = static_cast<int>(y);
+    }
+    SDL_PushEvent(&event);
+    frames(1);
+  }
+};
+
+}  // namespace
+
+TEST_CASE_FIXTURE(Fixture, "keys: pause, step, back, slow, lens, restart, help, quit") {
+  frames(10);
+  press(SDLK_p);
+  CHECK(window.player().paused);
+  const double t = window.player().simulation().time();
+  press(SDLK_PERIOD);
+  CHECK(window.player().simulation().time() == doctest::Approx(t + 1e-3));
+  press(SDLK_COMMA);
+  CHECK(window.player().simulation().time() == doctest::Approx(t));
+  press(SDLK_SPACE);
+  CHECK(!window.player().paused);
+  press(SDLK_o);
+  CHECK(window.player().rate == 0.1);
+  press(SDLK_l);
+  CHECK(window.player().contact_lens);
+  press(SDLK_F1);
+  CHECK(window.view().help);
+  press(SDLK_r);
+  CHECK(window.player().simulation().time() < 0.02);
+  SDL_Event quit{};
+  quit.type = SDL_KEYDOWN;
+  quit.key.keysym.sym = SDLK_ESCAPE;
+  SDL_PushEvent(&quit);
+  CHECK(!window.tick(1.0 / 60));
+}
+
+TEST_CASE_FIXTURE(Fixture, "a slider sets the parameter, and the future is drawn while it moves") {
+  frames(3);
+  // The first slider (damping) is about 96 px below the panel's top.
+  const float y = 97;
+  mouse(SDL_MOUSEMOTION, layout::panel.x + 30, y);
+  mouse(SDL_MOUSEBUTTONDOWN, layout::panel.x + 30, y);
+  for (float x = 40; x <= 140; x += 20) mouse(SDL_MOUSEMOTION, layout::panel.x + x, y);
+  CHECK(!window.view().future.empty());
+  CHECK(!window.view().earlier.empty());
+  mouse(SDL_MOUSEBUTTONUP, layout::panel.x + 140, y);
+  const auto& run = static_cast<const Run&>(window.player().simulation());
+  CHECK(run.scene().damping > 100);
+  CHECK(run.scene().damping < 200);
+  frames(200);
+  CHECK(window.view().future.empty());
+}
+
+TEST_CASE_FIXTURE(Fixture, "the ball can be dragged and thrown") {
+  frames(2);
+  window.player().paused = true;
+  // The ball starts at 1 m, a fifth from the top of the scene, at 60 % of its width.
+  const float x = layout::scene.width * 0.6f;
+  const double start = window.player().simulation().values()[0];
+  mouse(SDL_MOUSEMOTION, x, 124);
+  mouse(SDL_MOUSEBUTTONDOWN, x, 124);
+  for (float y = 130; y < 300; y += 10) mouse(SDL_MOUSEMOTION, x, y);
+  for (float y = 300; y > 250; y -= 10) mouse(SDL_MOUSEMOTION, x, y);
+  const auto held = window.player().simulation().values();
+  CHECK(held[0] < start - 0.2);
+  CHECK(held[1] > 0.5);   // thrown upwards: 10 px a frame are 1.8 m/s
+  CHECK(held[1] <= 8.0);  // and never faster than the limit
+  mouse(SDL_MOUSEBUTTONUP, x, 250);
+  CHECK(window.player().simulation().error()->position < 1e-9);  // the comparison starts here
+}
+
+TEST_CASE_FIXTURE(Fixture,
+                  "a frame is cheap enough for 30 frames a second in the software renderer") {
+  frames(120);  // with a trail
+  const Uint64 begin = SDL_GetPerformanceCounter();
+  frames(60);
+  const double spent = static_cast<double>(SDL_GetPerformanceCounter() - begin) /
+                       static_cast<double>(SDL_GetPerformanceFrequency());
+  MESSAGE("ms per frame: ", spent / 60 * 1000);
+#if defined(NDEBUG)
+  CHECK(spent / 60 < 1.0 / 30);
+#endif
+}
+
+TEST_CASE_FIXTURE(Fixture, "the picture has ink, ball and paper in it") {
+  window.keep_pixels = true;
+  frames(3);
+  const Pixels pixels = window.pixels();
+  CHECK(pixels.width == layout::width);
+  const auto at = [&](int x, int y) {
+    const std::size_t i = (static_cast<std::size_t>(y) * static_cast<std::size_t>(pixels.width) +
+                           static_cast<std::size_t>(x)) *
+                          3;
+    return std::array<int, 3>{pixels.rgb[i], pixels.rgb[i + 1], pixels.rgb[i + 2]};
+  };
+  CHECK(at(700, 60) == std::array<int, 3>{0xFA, 0xFA, 0xF7});        // paper
+  CHECK(at(448 - 20, 124) == std::array<int, 3>{0xE4, 0xE8, 0xEC});  // the ball, beside its mark
+}

@@ -1,0 +1,121 @@
+// The event-driven exact solution against 50-digit values and against laws that it does not use.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "03_damping/exact.hpp"
+#include "physics/event_driven.hpp"
+#include "reference_values.hpp"
+
+using namespace bounce;
+using test::ReferenceValue;
+
+namespace {
+
+using Walker = EventDriven<BouncePhases>;
+
+Walker start(const ReferenceValue& r) {
+  return {BouncePhases{r.mass, r.gravity, r.radius, {r.stiffness, r.damping, r.law}},
+          0,
+          {r.position, r.velocity}};
+}
+
+}  // namespace
+
+TEST_CASE("exact agrees with 50 digits") {
+  for (const ReferenceValue& r : test::reference_values) {
+    const State<double> state = start(r).at(r.t);
+    CAPTURE(r.stiffness);
+    CAPTURE(r.damping);
+    CAPTURE(int(r.law));
+    CAPTURE(r.t);
+    // Rounding only: every event's time is off by a few 1e-17 s x speed, tens of events; the
+    // velocity changes by omega0^2 x overlap = up to 1e4 m/s^2 in contact. Values are of size 1 m
+    // and 5 m/s. The small and stiff cases are judged relative to their size.
+    const double size = std::min(1.0, r.position), speed = std::sqrt(2 * 9.81 * size);
+    const double hardness = std::max(1.0, std::sqrt(r.stiffness / r.mass) / 100);
+    CHECK(std::abs(state.position - r.y) < 1e-14 * size * hardness);
+    CHECK(std::abs(state.velocity - r.v) < 5e-14 * speed * hardness);
+  }
+}
+
+TEST_CASE("a perfect spring returns the ball to its height, for ever") {
+  const ReferenceValue ball{1, 9.81, 0.1, 1e4, 0, ContactLaw::slides, 1, 0, 0, 0, 0};
+  Walker walker = start(ball);
+  for (int bounce = 0; bounce < 3000; ++bounce) {
+    walker.pass_event();  // touch
+    const double speed = walker.state_at_last_event().velocity;
+    walker.pass_event();  // lift-off
+    // The impact speed from 0.9 m of fall is sqrt(2 g h); each bounce adds a rounding or two.
+    CHECK(std::abs(speed + std::sqrt(2 * 9.81 * 0.9)) < 1e-15 * (10 + 4 * bounce));
+  }
+}
+
+TEST_CASE("a damped ball makes a finite number of contacts, and then stays for ever") {
+  for (const ContactLaw law : {ContactLaw::slides, ContactLaw::push_only}) {
+    const ReferenceValue ball{1, 9.81, 0.1, 1e4, 9.2, law, 1, 0, 0, 0, 0};  // zeta = 0.046
+    Walker walker = start(ball);
+    int contacts = 0;
+    while (walker.next_event() < never && contacts < 1000) {
+      walker.pass_event();
+      if (walker.phase() == Phase::touch) ++contacts;
+    }
+    CAPTURE(int(law));
+    CHECK(contacts > 20);
+    CHECK(contacts < 60);
+    // At rest the spring carries the weight; one evaluation, whatever the time.
+    const State<double> later = walker.at(1e6);
+    CHECK(later.position == doctest::Approx(0.1 - 9.81 / 1e4).epsilon(1e-15));
+    CHECK(std::abs(later.velocity) < 1e-300);
+  }
+}
+
+TEST_CASE("without gravity a damped contact has the restitution of the formula") {
+  for (const ContactLaw law : {ContactLaw::slides, ContactLaw::push_only}) {
+    for (const double zeta : {0.0, 0.05, 0.3, 0.7, 0.98, 1.0, 1.5, 4.0}) {
+      const double c = 2 * zeta * 100;  // k = 1e4, m = 1
+      const ReferenceValue ball{1, 0, 0.1, 1e4, c, law, 0.3, -2, 0, 0, 0};
+      Walker walker = start(ball);
+      walker.pass_event();
+      CHECK(walker.last_event() == doctest::Approx(0.1).epsilon(1e-14));  // 0.2 m at 2 m/s
+      CAPTURE(zeta);
+      CAPTURE(int(law));
+      const double e = restitution({1e4, c, law}, 1);
+      if (law == ContactLaw::slides && zeta >= 1) {
+        CHECK(walker.next_event() == never);
+        continue;
+      }
+      while (walker.phase() != Phase::flight && walker.next_event() < never) walker.pass_event();
+      CHECK(walker.state_at_last_event().velocity ==
+            doctest::Approx(2 * e).epsilon(1e-12).scale(1e-8));
+    }
+  }
+}
+
+TEST_CASE("a push-only contact that let go is taken up again when the force returns") {
+  // From deep below the floor the ball is let go while it still overlaps. With a strong damper and
+  // gravity it slows down inside the overlap, and the contact must push again: that happens when it
+  // is let go with a speed between g c/k and about 1.5 g c/k.
+  const ReferenceValue ball{1, 9.81, 0.1, 1e3, 200, ContactLaw::push_only, -0.33, 2.2, 0, 0, 0};
+  Walker walker = start(ball);
+  CHECK(walker.phase() == Phase::let_go);  // 1e3 x 0.43 - 200 x 2.2 < 0
+  walker.pass_event();
+  CHECK(walker.phase() == Phase::touch);
+  const State<double> again = walker.state_at_last_event();
+  CHECK(again.position < 0.1);
+  CHECK(std::abs(1e3 * (0.1 - again.position) - 200 * again.velocity) < 1e-10);
+}
+
+TEST_CASE("events that do not advance time end the walk instead of hanging") {
+  struct Stuck {
+    Phase phase_at(const State<double>&) const { return Phase::flight; }
+    State<double> move(Phase, const State<double>& s, double) const { return s; }
+    PhaseEnd end_of(Phase phase, const State<double>&) const { return {1e-17, phase}; }
+    State<double> at_event(Phase, Phase, State<double> s) const { return s; }
+  };
+  EventDriven<Stuck> walker(Stuck{}, 1, {0, 0});
+  CHECK_THROWS_AS(walker.at(2), TimeStandsStill);
+}
