@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -13,6 +14,7 @@ namespace bounce {
 class Camera {
  public:
   static constexpr double nearest = 0.05;  // m; what is closer, or behind, cannot be drawn
+  static constexpr double margin = 100;    // px around the picture that are still drawn
 
   /// `up` is up in the picture (not along the line of sight); `opening` is the angle from the lower
   /// to the upper edge of `area` [degrees].
@@ -23,7 +25,9 @@ class Camera {
         right_(forward_.cross(up).normalized()),
         up_(right_.cross(forward_)),
         centre_{area.x + area.width / 2, area.y + area.height / 2},
-        focal_(area.height / 2 / std::tan(opening * std::numbers::pi / 360)) {}
+        focal_(area.height / 2 / std::tan(opening * std::numbers::pi / 360)),
+        half_width_(area.width / 2 + margin),
+        half_height_(area.height / 2 + margin) {}
 
   /// Distance along the line of sight [m].
   double depth(const Eigen::Vector3d& point) const { return forward_.dot(point - eye_); }
@@ -52,6 +56,23 @@ class Camera {
            static_cast<double>(per_metre(like));
   }
 
+  /// What can be seen is a pyramid without its tip. How far inside each of its five faces a point
+  /// is (negative: outside), in a measure that is linear in the point, so that lines can be cut
+  /// there.
+  std::array<double, 5> inside(const Eigen::Vector3d& point) const {
+    const Eigen::Vector3d sight = point - eye_;
+    const double depth = forward_.dot(sight);
+    const double x = focal_ * right_.dot(sight), y = focal_ * up_.dot(sight);
+    return {depth - nearest, half_width_ * depth - x, half_width_ * depth + x,
+            half_height_ * depth - y, half_height_ * depth + y};
+  }
+  bool sees(const Eigen::Vector3d& point) const {
+    for (const double face : inside(point)) {
+      if (!(face >= 0)) return false;
+    }
+    return true;
+  }
+
   const Eigen::Vector3d& right() const { return right_; }
   const Eigen::Vector3d& up() const { return up_; }
 
@@ -59,7 +80,8 @@ class Camera {
   Eigen::Vector3d eye_, forward_, right_,
       up_;  // the last three: unit vectors, square to each other
   Point centre_;
-  double focal_;  // px
+  double focal_;                     // px
+  double half_width_, half_height_;  // px, with the margin
 };
 
 }  // namespace bounce

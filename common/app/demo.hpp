@@ -30,12 +30,21 @@ struct Plot {
   std::function<double(const TracePoint&)> exact;  // drawn dashed below it; may be empty
 };
 
+/// A slider of the demo's own, for what is no parameter but follows from some.
+struct Dial {
+  std::string name, unit, meaning;
+  Range range;
+  std::function<double(const Simulation&)> get;
+  std::function<void(Simulation&, double)> set;
+};
+
 /// A stage's demo: a simulation and its picture. Everything else - window, sliders, keys, command
 /// line, recording - is the same for all stages.
 struct Demo {
   StageName stage;
   std::string title;
   std::string question;              // the one question that drives the play
+  std::vector<Dial> dials;           // sliders that are no parameters
   std::vector<std::string> sliders;  // two or three parameters to begin with
   std::function<std::unique_ptr<Simulation>()> make;
   std::function<void(const Player&, const View&, Canvas&)> picture;

@@ -68,6 +68,7 @@ void Panel::draw(Player& player, View& view) {
 
   ImGui::PushItemWidth(250);
   ++frames_since_slider_;
+  for (const Dial& dial : demo_.dials) draw_dial(player, view, dial);
   draw_parameters(player, view, true);
   draw_play_row(player);
   draw_method(player, view);
@@ -152,6 +153,17 @@ void Panel::draw_parameter(Player& player, View& view, const Parameter& paramete
     ImGui::TextColored(colour(palette::exact), "%s", parameter.unit.c_str());
   }
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", parameter.meaning.c_str());
+}
+
+void Panel::draw_dial(Player& player, View& view, const Dial& dial) {
+  double value = dial.get(player.simulation());
+  if (slide(dial.name.c_str(), value, dial.range) && std::isfinite(value)) {
+    player.change([&](Simulation& simulation) { dial.set(simulation, value); });
+  }
+  note_slider(player, view);
+  ImGui::SameLine();
+  ImGui::TextColored(colour(palette::exact), "%s", dial.unit.c_str());
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", dial.meaning.c_str());
 }
 
 void Panel::draw_keys() {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,35 +17,40 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Where the line from a to b passes the nearest depth that can be drawn.
-Vector3d cut(const Camera& camera, const Vector3d& a, const Vector3d& b) {
-  const double depth_a = camera.depth(a) - Camera::nearest;
-  const double depth_b = camera.depth(b) - Camera::nearest;
-  return a + (b - a) * (depth_a / (depth_a - depth_b));
+/// The part of the line from a to b that the camera sees; nothing when there is none.
+std::optional<std::array<Vector3d, 2>> seen_part(const Camera& camera, const Vector3d& a,
+                                                 const Vector3d& b) {
+  const std::array<double, 5> from = camera.inside(a), to = camera.inside(b);
+  double begin = 0, end = 1;  // shares of the way from a to b
+  for (std::size_t face = 0; face < from.size(); ++face) {
+    if (!(from[face] >= 0 || to[face] >= 0)) return std::nullopt;
+    const double crossing = from[face] / (from[face] - to[face]);
+    if (from[face] < 0) begin = std::max(begin, crossing);
+    if (to[face] < 0) end = std::min(end, crossing);
+  }
+  if (begin > end) return std::nullopt;
+  return std::array<Vector3d, 2>{a + begin * (b - a), a + end * (b - a)};
 }
 
-bool is_visible(const Camera& camera, const Vector3d& point) {
-  return camera.depth(point) > Camera::nearest;
-}
-
-/// Calls `draw` with each connected piece of the path that lies before the camera.
+/// Calls `draw` with each connected piece of the path that the camera sees.
 template <class Draw>
 void each_visible_piece(const Camera& camera, std::span<const Vector3d> points, const Draw& draw) {
   std::vector<Point> piece;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const bool seen = is_visible(camera, points[i]);
-    const bool seen_before = i > 0 && is_visible(camera, points[i - 1]);
-    if (i > 0 && seen != seen_before) {
-      // A hair inside, so that rounding cannot put it behind the camera.
-      piece.push_back(camera.at(cut(camera, points[i - 1], points[i])));
+  const auto finish = [&] {
+    if (piece.size() > 1) draw(piece);
+    piece.clear();
+  };
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const auto part = seen_part(camera, points[i], points[i + 1]);
+    if (!part) {
+      finish();
+      continue;
     }
-    if (seen) piece.push_back(camera.at(points[i]));
-    if (!seen && seen_before) {
-      draw(piece);
-      piece.clear();
-    }
+    if (piece.empty()) piece.push_back(camera.at((*part)[0]));
+    piece.push_back(camera.at((*part)[1]));
+    if (!camera.sees(points[i + 1])) finish();
   }
-  if (piece.size() > 1) draw(piece);
+  finish();
 }
 
 }  // namespace
@@ -64,14 +70,21 @@ void draw_dashed_path(Canvas& canvas, const Camera& camera, std::span<const Vect
 
 void draw_patch(Canvas& canvas, const Camera& camera, std::span<const Vector3d> corners,
                 Colour colour) {
-  std::vector<Point> outline;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vector3d &corner = corners[i], &next = corners[(i + 1) % corners.size()];
-    if (is_visible(camera, corner)) outline.push_back(camera.at(corner));
-    if (is_visible(camera, corner) != is_visible(camera, next)) {
-      outline.push_back(camera.at(cut(camera, corner, next)));
+  // Cut at one face of what the camera sees after the other (Sutherland and Hodgman 1974).
+  std::vector<Vector3d> patch(corners.begin(), corners.end());
+  for (std::size_t face = 0; face < 5; ++face) {
+    std::vector<Vector3d> rest;
+    for (std::size_t i = 0; i < patch.size(); ++i) {
+      const Vector3d &corner = patch[i], &next = patch[(i + 1) % patch.size()];
+      const double here = camera.inside(corner)[face], there = camera.inside(next)[face];
+      if (here >= 0) rest.push_back(corner);
+      if ((here >= 0) != (there >= 0))
+        rest.push_back(corner + here / (here - there) * (next - corner));
     }
+    patch = std::move(rest);
   }
+  std::vector<Point> outline;
+  for (const Vector3d& corner : patch) outline.push_back(camera.at(corner));
   if (outline.size() > 2) canvas.fill(outline, colour);
 }
 
@@ -84,7 +97,7 @@ PlaneAxes axes_of(const Plane& plane) {
 }
 
 void draw_plane_grid(Canvas& canvas, const Camera& camera, const Plane& plane,
-                     const Vector3d& centre, double reach) {
+                     const Vector3d& centre, double square, double reach) {
   const auto [along, across] = axes_of(plane);
   const Vector3d origin = plane.foot(Vector3d::Zero());
   const Vector3d middle = plane.foot(centre);
@@ -92,7 +105,7 @@ void draw_plane_grid(Canvas& canvas, const Camera& camera, const Plane& plane,
   std::vector<Vector3d> disc;
   for (int i = 0; i < 48; ++i) {
     const double angle = 2 * std::numbers::pi * i / 48;
-    disc.push_back(middle + reach * (std::cos(angle) * along + std::sin(angle) * across));
+    disc.push_back(middle + 3 * reach * (std::cos(angle) * along + std::sin(angle) * across));
   }
   draw_patch(canvas, camera, disc, palette::grid_minor.faded(0.75));
 
@@ -104,11 +117,11 @@ void draw_plane_grid(Canvas& canvas, const Camera& camera, const Plane& plane,
     draw_path(canvas, camera, ends, palette::exact.faded(0.55 * share), 1);
   };
   // Grid lines at whole multiples of the square, counted from the plane's own origin.
-  const auto count = static_cast<int>(std::ceil(reach / grid_square));
-  const auto first_u = std::floor(along.dot(middle - origin) / grid_square);
-  const auto first_v = std::floor(across.dot(middle - origin) / grid_square);
+  const auto count = static_cast<int>(std::ceil(reach / square));
+  const auto first_u = std::floor(along.dot(middle - origin) / square);
+  const auto first_v = std::floor(across.dot(middle - origin) / square);
   const auto corner = [&](int i, int j) -> Vector3d {
-    return origin + grid_square * ((first_u + i) * along + (first_v + j) * across);
+    return origin + square * ((first_u + i) * along + (first_v + j) * across);
   };
   const auto is_major = [](double n) { return std::fmod(n, 2) == 0; };
   for (int i = -count; i <= count; ++i) {
@@ -143,7 +156,7 @@ void draw_shadow(Canvas& canvas, const Camera& camera, const Plane& plane, const
 
 void draw_ball_in_space(Canvas& canvas, const Camera& camera, const Vector3d& centre,
                         double radius) {
-  if (!is_visible(camera, centre)) return;
+  if (!camera.sees(centre)) return;
   const Point at = camera.at(centre);
   const float size = std::max(3.0f, static_cast<float>(radius) * camera.per_metre(centre));
   constexpr Colour dark{0xB4, 0xBE, 0xC8};

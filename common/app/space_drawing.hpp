@@ -28,11 +28,10 @@ struct PlaneAxes {
 };
 PlaneAxes axes_of(const Plane& plane);
 
-inline constexpr double grid_square = 0.5;  // m
-
-/// Squares on the plane around `centre`, paler and paler up to the distance `reach` [m].
+/// Squares with sides of `square` [m] on the plane around `centre`, paler and paler up to the
+/// distance `reach` [m].
 void draw_plane_grid(Canvas& canvas, const Camera& camera, const Plane& plane,
-                     const Eigen::Vector3d& centre, double reach);
+                     const Eigen::Vector3d& centre, double square, double reach);
 
 /// The shadow of a ball on the plane, with the sun straight above.
 void draw_shadow(Canvas& canvas, const Camera& camera, const Plane& plane,

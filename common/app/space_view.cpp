@@ -19,7 +19,6 @@ using Eigen::Vector3d;
 
 constexpr Rect inset{layout::scene.width - 216, 12, 204, 168};
 constexpr double opening = 34;         // degrees
-constexpr double grid_reach = 5;       // m
 constexpr double trail_length = 4;     // s
 constexpr double mark_interval = 0.1;  // s between the dots on the trail
 constexpr double peak_hold = 0.7;      // s that the largest contact force stays in sight
@@ -41,7 +40,7 @@ double zoom_out(const Player& player, const BallInSpace& ball) {
   double zoom = 1;
   for (const TracePoint& point : player.trace()) {
     const double height = ball.plane.distance(position_of(point.values));
-    while (ball.has_plane && height > 1.6 * zoom && zoom < 1e12) zoom *= 2;
+    while (height > 1.6 * zoom && zoom < 1e12) zoom *= 2;
   }
   return zoom;
 }
@@ -116,7 +115,7 @@ void draw_trail(Canvas& canvas, const Camera& camera, const Player& player,
     if (t <= trail.times[i - 1] + 1e-9 || t > trail.times[i] + 1e-9) continue;
     const double share = (t - trail.times[i - 1]) / (trail.times[i] - trail.times[i - 1]);
     const Vector3d at = trail.points[i - 1] + share * (trail.points[i] - trail.points[i - 1]);
-    if (camera.depth(at) < Camera::nearest) continue;
+    if (!camera.sees(at)) continue;
     canvas.disc(camera.at(at), 2.5f, palette::motion.faded(paleness(t)));
   }
 }
@@ -132,15 +131,23 @@ std::vector<Landing> landings(const Player& player, const BallInSpace& ball) {
   const auto gap = [&](const TracePoint& point) {
     return ball.plane.distance(position_of(point.values)) - ball.radius;
   };
+  const auto speed = [&](const TracePoint& point) {
+    return ball.plane.normal.dot(velocity_of(point.values));
+  };
+  // A stiff contact can begin and end between two points of the trace. What always shows is that
+  // the ball comes back; the touch is then found from the last point before it.
   const auto& trace = player.trace();
-  for (std::size_t i = 1; i < trace.size(); ++i) {
-    if (trace[i].t > player.shown_time()) break;
-    const double before = gap(trace[i - 1]), after = gap(trace[i]);
-    if (!(before > 0 && after <= 0)) continue;
-    const double share = before / (before - after);
-    const Vector3d a = position_of(trace[i - 1].values), b = position_of(trace[i].values);
-    all.push_back({trace[i - 1].t + share * (trace[i].t - trace[i - 1].t),
-                   ball.plane.foot(a + share * (b - a))});
+  const TracePoint* last_in_flight = nullptr;
+  for (const TracePoint& point : trace) {
+    if (point.t > player.shown_time()) break;
+    if (last_in_flight != nullptr && speed(point) > 0) {
+      const double wait = gap(*last_in_flight) / -speed(*last_in_flight);
+      const Vector3d place =
+          position_of(last_in_flight->values) + wait * velocity_of(last_in_flight->values);
+      all.push_back({last_in_flight->t + wait, ball.plane.foot(place)});
+      last_in_flight = nullptr;
+    }
+    if (gap(point) > 0 && speed(point) < 0) last_in_flight = &point;
   }
   return all;
 }
@@ -160,7 +167,7 @@ void draw_landings(Canvas& canvas, const Camera& camera, const Player& player,
     const std::array<Vector3d, 2> ruler{last + 0.12 * across, foot + 0.12 * across};
     draw_path(canvas, camera, ruler, palette::ink.faded(0.6), 1);
     const Vector3d middle = (last + foot) / 2 + 0.14 * across;
-    if (camera.depth(middle) < 1) continue;
+    if (!camera.sees(middle)) continue;
     char text[48];
     std::snprintf(text, sizeof text, "%.2f m, %.3f s", hop, marks[i].t - marks[i - 1].t);
     draw_label(canvas, {camera.at(middle).x, camera.at(middle).y + 6}, text, palette::ink,
@@ -176,11 +183,11 @@ void draw_force(Canvas& canvas, const Camera& camera, const Vector3d& foot, floa
   if (pixels < 1) return;
   const Vector3d end =
       foot + force.normalized() * static_cast<double>(pixels / camera.per_metre(foot));
-  if (camera.depth(end) < Camera::nearest) return;
+  if (!camera.sees(foot) || camera.depth(end) < Camera::nearest) return;
   const Point a = camera.at(foot), b = camera.at(end);
   const Point from{a.x + shift, a.y}, to{b.x + shift, b.y};
   draw_arrow(canvas, from, to, colour.faded(share));
-  if (std::hypot(to.x - from.x, to.y - from.y) < 14 || share < 0.4) return;
+  if (*name == '\0' || std::hypot(to.x - from.x, to.y - from.y) < 14 || share < 0.4) return;
   const std::string words = std::string(name) + " " + with_unit(force.norm(), "N");
   // The damper's on its right; the others on their left, the weight's clear of the ball.
   const float gap = shift > 0 ? 8.0f : shift < 0 ? -8.0f : -26.0f;
@@ -190,7 +197,7 @@ void draw_force(Canvas& canvas, const Camera& camera, const Vector3d& foot, floa
 
 void draw_velocity(Canvas& canvas, const Camera& camera, const State<Vector3d>& state) {
   const Vector3d tip = state.position + arrow_time * state.velocity;
-  if (camera.depth(tip) < Camera::nearest) return;
+  if (!camera.sees(state.position) || camera.depth(tip) < Camera::nearest) return;
   const Point at = camera.at(tip);
   draw_arrow(canvas, camera.at(state.position), at, palette::motion, Shaft::velocity);
   if (state.velocity.norm() < 0.3) return;
@@ -203,7 +210,8 @@ void draw_forces(Canvas& canvas, const Camera& camera, const Player& player, con
   const ForcesInSpace now = ball.forces(state);
   const double weight = now.gravity.norm();
   if (view.forces) draw_velocity(canvas, camera, state);
-  draw_force(canvas, camera, state.position, 0, now.gravity, weight, palette::gravity, 1, "weight");
+  draw_force(canvas, camera, state.position, 0, now.gravity, weight, palette::gravity, 1,
+             ball.landings ? "" : "weight");  // there its words would cover the marks
   if (!view.forces) return;
 
   // A contact is over in two frames: its largest force stays in sight where it was.
@@ -234,9 +242,11 @@ void draw_scene(Canvas& canvas, const Player& player, const View& view, const Ba
   const Camera camera = camera_for(player, ball, area, from_above);
   const Vector3d now = position_of(player.shown_values());
   const double zoom = zoom_out(player, ball);
+  const double square = ball.distance * zoom < 6 ? 0.5 : 1.0 * zoom;  // m
   canvas.push_clip(area);
   if (ball.has_plane) {
-    draw_plane_grid(canvas, camera, ball.plane, target(player, ball, zoom), grid_reach);
+    const Vector3d centre = target(player, ball, zoom);
+    draw_plane_grid(canvas, camera, ball.plane, centre, square, 10 * square);
     draw_shadow(canvas, camera, ball.plane, now, ball.radius);
   }
   if (ball.landings && ball.has_plane && is_main) draw_landings(canvas, camera, player, ball);
@@ -255,7 +265,7 @@ void draw_scene(Canvas& canvas, const Player& player, const View& view, const Ba
   const std::vector<double> exact = player.simulation().exact_values(player.shown_time());
   if (view.ghost && is_main && !exact.empty()) {
     const Vector3d ghost = position_of(exact);
-    if (camera.depth(ghost) > Camera::nearest) {
+    if (camera.sees(ghost)) {
       const float size = static_cast<float>(ball.radius) * camera.per_metre(ghost);
       draw_dashed_circle(canvas, camera.at(ghost), std::max(3.0f, size), palette::exact, 1.5f);
     }
@@ -263,9 +273,10 @@ void draw_scene(Canvas& canvas, const Player& player, const View& view, const Ba
   if (is_main) {
     draw_forces(canvas, camera, player, view, ball);
     draw_axes(canvas, camera, {44, area.bottom() - 66});
+    const std::string squares = "squares " + to_rounded_text(square) + " m   ";
     canvas.text({96, area.bottom() - 30},
-                "squares 0.5 m   dots 0.1 s   force arrows: length ~ sqrt(force)", palette::exact,
-                Align::left, TextSize::tick);
+                (ball.has_plane ? squares : "") + "dots 0.1 s   force arrows: length ~ sqrt(force)",
+                palette::exact, Align::left, TextSize::tick);
   }
   canvas.pop_clip();
 }
@@ -293,6 +304,7 @@ void use_space_view(Demo& demo, std::function<BallInSpace(const Player&)> ball) 
   demo.is_on_ball = [ball, camera](const Player& player, const View& view, Point at) {
     const Camera eye = camera(player, view);
     const Vector3d now = position_of(player.shown_values());
+    if (!eye.sees(now)) return false;
     const Point centre = eye.at(now);
     const float reach =
         std::max(12.0f, static_cast<float>(ball(player).radius) * eye.per_metre(now));

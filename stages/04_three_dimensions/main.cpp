@@ -41,5 +41,9 @@ int main(int argc, char** argv) {
        [](const TracePoint& point) { return point.values[3]; },
        [](const TracePoint& point) { return point.exact[3]; }},
   };
+  demo.is_over = [](const Player& player) {  // without a floor it falls for ever
+    return !static_cast<const Run&>(player.simulation()).scene().floor &&
+           player.shown_values()[1] < -3;
+  };
   return play(argc, argv, demo);
 }
