@@ -26,7 +26,12 @@ int play(int argc, const char* const* argv, const Demo& demo) {
   std::unique_ptr<Simulation> spare;
   return guarded(demo.stage, shown, [&]() -> int {
     Options options;
-    if (!parse_command_line(argc, argv, demo.stage, *simulation, options)) return exit_ok;
+    if (!parse_command_line(argc, argv, demo.stage, *simulation, options, demo.options)) {
+      return exit_ok;
+    }
+    if (demo.other_work) {
+      if (const std::optional<int> code = demo.other_work(*simulation, options)) return *code;
+    }
     if (options.headless) {
       if (!options.screenshot.empty()) {
         save_picture(demo, simulation->clone(), options, options.screenshot);
