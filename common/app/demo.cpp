@@ -24,7 +24,12 @@ int play(int argc, const char* const* argv, const Demo& demo) {
   const std::unique_ptr<Simulation> simulation = demo.make();
   return guarded(demo.stage, *simulation, [&]() -> int {
     Options options;
-    if (!parse_command_line(argc, argv, demo.stage, *simulation, options)) return exit_ok;
+    if (!parse_command_line(argc, argv, demo.stage, *simulation, options, demo.options)) {
+      return exit_ok;
+    }
+    if (demo.other_work) {
+      if (const std::optional<int> code = demo.other_work(*simulation, options)) return *code;
+    }
     if (!options.headless) {
       if (show_window(demo, simulation->clone(), options)) return exit_ok;
       return run_unseen(demo, simulation->clone(), options);

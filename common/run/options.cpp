@@ -141,11 +141,19 @@ void check_size(const Options& options, const Simulation& simulation) {
 }  // namespace
 
 bool parse_command_line(int argc, const char* const* argv, const StageName& stage,
-                        Simulation& simulation, Options& options) {
+                        Simulation& simulation, Options& options,
+                        const std::vector<StageOption>& of_stage) {
   CLI::App app(stage.about, stage.name);
   Words words;
   bool list = false;
   declare(app, words, options, list);
+  for (const StageOption& option : of_stage) {
+    const auto keep = [&options, name = option.name](const std::string& text) {
+      options.of_stage[name] = text;
+    };
+    app.add_option_function<std::string>(option.name, keep, option.meaning)
+        ->type_name(option.value);
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
