@@ -8,3 +8,7 @@ $bin/02_spring_floor --screenshot 02_spring_floor.png --set stiffness=2000 --dur
 $bin/02_spring_floor --screenshot 02_explicit_euler.png --method explicit-euler --duration 2.8
 $bin/03_damping --screenshot 03_damping.png --set damping=18 --duration 2.2
 $bin/03_damping --screenshot 03_pull.png --set damping=43 --dt 0.0001 --duration 0.458
+$bin/06_oscillating_floor --screenshot 06_oscillating_floor.png --dt 0.0001 --duration 9.2
+$bin/06_oscillating_floor --screenshot 06_switch.png --set floor_law=slides --dt 0.0001 --duration 0.385
+$bin/06_oscillating_floor --screenshot 06_bifurcation.png --sweep amplitude=0.05,0.09,800 \
+  --set contact=push-only --set angular_frequency=12.566370614359172
