@@ -215,7 +215,7 @@ void draw_forces(Canvas& canvas, const Player& player, const View& view, const B
   }
   const Point contact{centre.x, std::min(ground, centre.y + radius)};
   const Point left{contact.x - 10, contact.y}, right{contact.x + 10, contact.y};
-  if (now.spring > 0) {
+  if (now.spring != 0) {
     draw_force(canvas, left, now.spring, weight, palette::spring, 1, "spring", Align::right);
     draw_force(canvas, right, now.damper, weight, palette::damper, 1, "damper", Align::left);
   } else if (peak.spring > 0) {

@@ -11,3 +11,7 @@ $bin/03_damping --screenshot 03_pull.png --set damping=43 --dt 0.0001 --duration
 $bin/04_three_dimensions --screenshot 04_three_dimensions.png --duration 2.05
 $bin/07_tilted_plane --screenshot 07_tilted_plane.png --duration 2.95 --method exact --set damping=0 --set stiffness=1e6
 # 04_from_above.png is taken in the window: T for the view from above, at about 2.2 s F12.
+$bin/06_oscillating_floor --screenshot 06_oscillating_floor.png --dt 0.0001 --duration 9.2
+$bin/06_oscillating_floor --screenshot 06_switch.png --set floor_law=slides --dt 0.0001 --duration 0.385
+$bin/06_oscillating_floor --screenshot 06_bifurcation.png --sweep amplitude=0.05,0.09,800 \
+  --set contact=push-only --set angular_frequency=12.566370614359172
