@@ -26,7 +26,9 @@ int play(int argc, const char* const* argv, const Demo& demo) {
   std::unique_ptr<Simulation> spare;
   return guarded(demo.stage, shown, [&]() -> int {
     Options options;
-    if (!parse_command_line(argc, argv, demo.stage, *simulation, options)) return exit_ok;
+    if (!parse_command_line(argc, argv, demo.stage, *simulation, options, demo.options)) {
+      return exit_ok;
+    }
     if (options.headless) {
       if (!options.screenshot.empty()) {
         save_picture(demo, simulation->clone(), options, options.screenshot);
