@@ -39,7 +39,9 @@ std::string read_file(const std::string& path) {
   return text.str();
 }
 
-Outcome run_program(const std::string& command, const std::string& environment) {
+Outcome run_program(const std::string& command) { return run_program_with("", command); }
+
+Outcome run_program_with(const std::string& environment, const std::string& command) {
   const fs::path& here = folder();
   fs::remove_all(here);
   fs::create_directories(here / "work");

@@ -11,8 +11,9 @@ struct Outcome {
 };
 
 /// Runs one of the course's programs, "03_damping --headless ...", in a fresh folder of its own.
-/// `environment` is set for it: "SDL_VIDEODRIVER=dummy".
-Outcome run_program(const std::string& command, const std::string& environment = "");
+Outcome run_program(const std::string& command);
+/// The same with something set for it: "SDL_VIDEODRIVER=dummy".
+Outcome run_program_with(const std::string& environment, const std::string& command);
 
 /// The folder in which the last program ran; the next one empties it.
 std::string work_folder();

@@ -21,25 +21,23 @@ int run_unseen(const Demo& demo, std::unique_ptr<Simulation> simulation, Options
 }  // namespace
 
 int play(int argc, const char* const* argv, const Demo& demo) {
-  std::unique_ptr<Simulation> simulation = demo.make();
-  const Simulation& shown = *simulation;  // for the advice when something fails
-  std::unique_ptr<Simulation> spare;
-  return guarded(demo.stage, shown, [&]() -> int {
+  const std::unique_ptr<Simulation> simulation = demo.make();
+  return guarded(demo.stage, *simulation, [&]() -> int {
     Options options;
     if (!parse_command_line(argc, argv, demo.stage, *simulation, options, demo.options)) {
       return exit_ok;
     }
-    if (options.headless) {
-      if (!options.screenshot.empty()) {
-        save_picture(demo, simulation->clone(), options, options.screenshot);
-      }
-      if (!options.record.empty()) record_clip(demo, simulation->clone(), options, options.record);
-      const bool pictures_only = options.csv.empty() && options.save.empty() &&
-                                 !(options.screenshot.empty() && options.record.empty());
-      return pictures_only ? exit_ok : run_headless(demo.stage, *simulation, options);
+    if (!options.headless) {
+      if (show_window(demo, simulation->clone(), options)) return exit_ok;
+      return run_unseen(demo, simulation->clone(), options);
     }
-    if (show_window(demo, simulation->clone(), options)) return exit_ok;
-    return run_unseen(demo, simulation->clone(), options);
+    if (!options.csv.empty()) OutputFile::check("--csv", options.csv);
+    if (!options.save.empty()) OutputFile::check("--save", options.save);
+    if (!options.screenshot.empty()) {
+      save_picture(demo, simulation->clone(), options, options.screenshot);
+    }
+    if (!options.record.empty()) record_clip(demo, simulation->clone(), options, options.record);
+    return run_headless(demo.stage, *simulation, options);
   });
 }
 

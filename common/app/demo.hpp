@@ -16,6 +16,7 @@ struct View {
   bool trail = true;
   bool ghost = true;
   bool help = false;
+  bool from_above = false;          // in space: the camera looks straight down
   std::vector<TracePoint> future;   // with the present setting, while a slider moves
   std::vector<TracePoint> earlier;  // with the setting before
 };
@@ -29,20 +30,30 @@ struct Plot {
   std::function<double(const TracePoint&)> exact;  // drawn dashed below it; may be empty
 };
 
+/// A slider of the demo's own, for what is no parameter but follows from some.
+struct Dial {
+  std::string name, unit, meaning;
+  Range range;
+  std::function<double(const Simulation&)> get;
+  std::function<void(Simulation&, double)> set;
+};
+
 /// A stage's demo: a simulation and its picture. Everything else - window, sliders, keys, command
 /// line, recording - is the same for all stages.
 struct Demo {
   StageName stage;
   std::string title;
   std::string question;              // the one question that drives the play
+  std::vector<Dial> dials;           // sliders that are no parameters
   std::vector<std::string> sliders;  // two or three parameters to begin with
   std::function<std::unique_ptr<Simulation>()> make;
   std::function<void(const Player&, const View&, Canvas&)> picture;
   std::vector<Plot> plots;  // at most two
   /// Called while the mouse button is down on the ball; empty when it cannot be dragged.
-  std::function<bool(const Player&, Point)> is_on_ball;
+  std::function<bool(const Player&, const View&, Point)> is_on_ball;
   /// Puts the ball where the mouse is, with that velocity of the mouse [px/s].
-  std::function<void(Player&, Point, Point velocity)> drag;
+  std::function<void(Player&, const View&, Point, Point velocity)> drag;
+  bool in_space = false;  // three dimensions: the view from above makes sense
   /// The demo starts anew (in the window only) when this says so.
   std::function<bool(const Player&)> is_over;
   std::vector<StageOption> options;  // on the command line, besides those of all stages

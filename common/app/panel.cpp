@@ -68,6 +68,7 @@ void Panel::draw(Player& player, View& view) {
 
   ImGui::PushItemWidth(250);
   ++frames_since_slider_;
+  for (const Dial& dial : demo_.dials) draw_dial(player, view, dial);
   draw_parameters(player, view, true);
   draw_play_row(player);
   draw_method(player, view);
@@ -154,13 +155,25 @@ void Panel::draw_parameter(Player& player, View& view, const Parameter& paramete
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", parameter.meaning.c_str());
 }
 
+void Panel::draw_dial(Player& player, View& view, const Dial& dial) {
+  double value = dial.get(player.simulation());
+  if (slide(dial.name.c_str(), value, dial.range) && std::isfinite(value)) {
+    player.change([&](Simulation& simulation) { dial.set(simulation, value); });
+  }
+  note_slider(player, view);
+  ImGui::SameLine();
+  ImGui::TextColored(colour(palette::exact), "%s", dial.unit.c_str());
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", dial.meaning.c_str());
+}
+
 void Panel::draw_keys() {
   const float bottom = layout::panel.height - 50;
   if (ImGui::GetCursorPosY() > bottom) return;  // "more" is open and needs the room
   ImGui::SetCursorPosY(bottom);
   ImGui::TextColored(colour(palette::exact),
                      "P pause   . , step   R restart   O slow   L lens\n"
-                     "F12 picture   F1 all keys   Esc quit   mouse: throw");
+                     "%s   F1 all keys   Esc quit   mouse: throw",
+                     demo_.in_space ? "T from above" : "F12 picture");
 }
 
 /// When a slider is taken, what would have happened is kept for comparison; while it moves, what

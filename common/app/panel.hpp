@@ -21,6 +21,7 @@ class Panel {
  private:
   void draw_parameters(Player& player, View& view, bool main_ones);
   void draw_parameter(Player& player, View& view, const Parameter& parameter);
+  void draw_dial(Player& player, View& view, const Dial& dial);
   void draw_play_row(Player& player);
   void draw_method(Player& player, View& view);
   void draw_cost_and_error(Player& player);

@@ -160,8 +160,22 @@ void Player::change(const std::function<void(Simulation&)>& edit, bool start_ane
   simulation_->parameters_changed();
 }
 
+bool Player::is_at_rest() const {
+  const TracePoint& now = trace_.back();
+  for (auto point = trace_.rbegin(); point != trace_.rend(); ++point) {
+    if (now.t - point->t > 0.5) return true;
+    if (point->energy.kinetic > 1e-4 * std::abs(point->before)) return false;
+  }
+  return false;
+}
+
 std::vector<TracePoint> Player::future(double seconds) const {
   const std::unique_ptr<Simulation> ahead = simulation_->clone();
+  double later = 0;
+  if (is_at_rest()) {
+    later = simulation_->time();
+    ahead->restart();
+  }
   const double end = ahead->time() + seconds;
   std::vector<TracePoint> points;
   try {
@@ -171,6 +185,7 @@ std::vector<TracePoint> Player::future(double seconds) const {
     const double reach = exact ? end : std::min(end, ahead->time() + most_steps * ahead->dt());
     while (ahead->time() < reach && points.size() < 4000) {
       points.push_back(point(*ahead));
+      points.back().t += later;
       const double whole = std::max(1.0, std::round(stride / ahead->dt()));
       ahead->advance_to(exact ? ahead->time() + stride
                               : ahead->time_of_next_step() + (whole - 1) * ahead->dt());

@@ -56,13 +56,15 @@ class Player {
 
   const std::deque<TracePoint>& trace() const { return trace_; }  // the last minute or so
 
-  /// What would happen from here, `seconds` ahead, with the present parameters.
+  /// What would happen from here, `seconds` ahead, with the present parameters. For a ball at rest:
+  /// from a new start, as if that were now.
   std::vector<TracePoint> future(double seconds) const;
 
   /// Not empty when the run had to stop: a sentence for the screen.
   const std::string& trouble() const { return trouble_; }
 
  private:
+  bool is_at_rest() const;  // nothing to see for half a second
   bool in_contact() const { return simulation_->energy().spring > 0; }
   void move_to(double t);
   void remember();

@@ -103,11 +103,13 @@ void draw_energy_column(Canvas& canvas, Rect area, const TracePoint& now) {
     Colour colour;
     const char* name;
   };
-  const std::array<Part, 4> parts{{{now.energy.gravitational, palette::gravity, "height"},
+  // A ball below height 0 has negative energy of height: then its own height counts as zero.
+  const double lowest = std::min(0.0, now.energy.gravitational);
+  const std::array<Part, 4> parts{{{now.energy.gravitational - lowest, palette::gravity, "height"},
                                    {now.energy.spring, palette::spring, "spring"},
                                    {now.energy.kinetic, palette::motion, "motion"},
                                    {now.lost, palette::damper, "lost"}}};
-  const double scale = std::max(std::abs(now.before), 1e-300);
+  const double scale = std::max(std::abs(now.before - lowest), 1e-300);
   const float full = area.height * 0.52f, ground = area.bottom() - 92;
   const Rect column{area.x + 12, ground - full, 34, full};
   canvas.text({area.x + 12, area.y + 12}, "energy", palette::ink, Align::left, TextSize::normal);

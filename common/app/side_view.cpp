@@ -311,10 +311,10 @@ void use_side_view(Demo& demo, std::function<BallOnALine(const Player&)> ball) {
   demo.picture = [ball](const Player& player, const View& view, Canvas& canvas) {
     draw_side_view(canvas, player, view, ball(player));
   };
-  demo.is_on_ball = [ball](const Player& player, Point at) {
+  demo.is_on_ball = [ball](const Player& player, const View& /*view*/, Point at) {
     return is_on_ball(at, player, ball(player));
   };
-  demo.drag = [ball](Player& player, Point at, Point velocity) {
+  demo.drag = [ball](Player& player, const View& /*view*/, Point at, Point velocity) {
     const SideCamera camera = side_camera(player, ball(player));
     const double height = (camera.origin.y - at.y) / camera.per_metre;
     const double speed = std::clamp(-velocity.y / camera.per_metre, -fastest_throw, fastest_throw);

@@ -77,7 +77,7 @@ void Window::handle(const SDL_Event& event) {
   if (event.type == SDL_MOUSEBUTTONDOWN && event.button.button == SDL_BUTTON_LEFT &&
       demo_.is_on_ball) {
     const Point at{static_cast<float>(event.button.x), static_cast<float>(event.button.y)};
-    holding_ = demo_.is_on_ball(player_, at);
+    holding_ = demo_.is_on_ball(player_, view_, at);
     mouse_.clear();
   }
   if (event.type == SDL_MOUSEBUTTONUP) holding_ = false;
@@ -109,6 +109,9 @@ void Window::key(SDL_Keycode key) {
     case SDLK_l:
       player_.contact_lens = !player_.contact_lens;
       break;
+    case SDLK_t:
+      view_.from_above = demo_.in_space && !view_.from_above;
+      break;
     case SDLK_F1:
       view_.help = !view_.help;
       break;
@@ -131,7 +134,7 @@ void Window::drag() {
   const auto span = static_cast<float>(last.t - first.t);
   Point velocity{0, 0};
   if (span > 0) velocity = {(last.at.x - first.at.x) / span, (last.at.y - first.at.y) / span};
-  demo_.drag(player_, last.at, velocity);
+  demo_.drag(player_, view_, last.at, velocity);
 }
 
 void Window::draw() {
@@ -162,18 +165,19 @@ void Window::draw() {
 }
 
 void Window::draw_help() {
-  static constexpr std::array<std::array<const char*, 2>, 10> keys{
+  static constexpr std::array<std::array<const char*, 2>, 11> keys{
       {{"P, Space", "pause, play"},
        {".  or Right", "one step forward"},
        {",  or Left", "one step back"},
        {"R", "restart"},
        {"O", "slow motion (1/10)"},
        {"L", "contact lens: a contact lasts a second"},
+       {"T", "from above, from the side (stages in space)"},
        {"mouse", "drag the ball, and throw it"},
        {"F12", "save a picture"},
        {"F1", "this page"},
        {"Esc", "quit"}}};
-  const Rect area{150, 110, 460, 300};
+  const Rect area{150, 110, 490, 327};
   draw_rect(canvas_, area, palette::paper.faded(0.95));
   draw_frame(canvas_, area, palette::ink, 1);
   float y = area.y + 16;

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -18,9 +19,12 @@ inline State<double> fly(const State<double>& start, double gravity, double t) {
 }
 
 /// When a ball at `height` >= 0 above the touch, flying with `velocity`, comes down to it [s]:
-/// the positive root of height + v t - g t^2 / 2 = 0, in the form that subtracts nothing.
+/// the first positive root of height + v t - g t^2 / 2 = 0, in the form that subtracts nothing.
+/// Negative gravity pulls away from the touch (an overhanging plane): a slow ball never gets there.
 inline double time_to_fall(double height, double velocity, double gravity) {
-  const double impact_speed = std::sqrt(velocity * velocity + 2 * gravity * height);
+  const double reserve = velocity * velocity + 2 * gravity * height;
+  if (reserve < 0) return never;
+  const double impact_speed = std::sqrt(reserve);
   if (velocity > 0) return gravity > 0 ? (velocity + impact_speed) / gravity : never;
   return impact_speed - velocity > 0 ? 2 * height / (impact_speed - velocity)
                                      : (height > 0 ? never : 0);
@@ -50,9 +54,9 @@ class DampedOscillator {
   /// The first moment after 0 at which the velocity is zero [s], or `never`.
   double turning_time(const State<double>& start) const;
 
-  /// The first moment at which x comes up through `level` [s], or `never`. Needs level >= 0 and a
-  /// start at or below it. Between two turning points x is monotone, and the first top is the
-  /// highest: so the one bracket that matters is known, and no crossing can be missed.
+  /// The first moment at which x comes up through `level` [s], or `never`. Needs a start at or
+  /// below `level`. Between two turning points x is monotone, and the first top is the highest: so
+  /// the one bracket that matters is known, and no crossing can be missed.
   double rise_time(const State<double>& start, double level) const;
 
  private:
@@ -113,7 +117,11 @@ inline double DampedOscillator::rise_time(const State<double>& start, double lev
     if (low == never) return never;
     high = discriminant_ > 0 ? low + std::acos(-1.0) / w_ : never;
   }
-  if (high == never) return never;  // it creeps up towards 0 and never reaches it
+  if (high == never) {  // it creeps up towards 0 and never reaches it
+    if (level >= 0) return never;
+    high = low + 1 / slow_;
+    while (move(start, high).position < level) high = low + 2 * (high - low);
+  }
   if (move(start, high).position < level) return never;
 
   // Newton's method, kept inside the bracket by bisection.
@@ -148,7 +156,7 @@ struct PhaseEnd {
 /// which a ball meets one fixed surface; EventDriven (event_driven.hpp) walks through the phases.
 struct BouncePhases {
   double mass;     // kg
-  double gravity;  // m/s^2
+  double gravity;  // m/s^2, towards the floor; negative where it pulls away (stage 7)
   double radius;   // m
   SpringDamper contact;
 
@@ -169,7 +177,8 @@ struct BouncePhases {
   PhaseEnd end_of(Phase phase, const State<double>& start) const {
     switch (phase) {
       case Phase::flight:
-        return {time_to_fall(start.position - radius, start.velocity, gravity), Phase::touch};
+        return {time_to_fall(std::max(0.0, start.position - radius), start.velocity, gravity),
+                Phase::touch};
       case Phase::touch:
         return end_of_touch(start);
       case Phase::let_go:

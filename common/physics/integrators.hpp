@@ -16,12 +16,14 @@ namespace bounce {
 
 /// The formulas of the slides: v(t+dt) = v(t) + a(t) dt,  y(t+dt) = y(t) + v(t) dt.
 /// Order 1. On an undamped spring its energy grows for every dt (stability.hpp).
+// [explicit_euler]
 template <class Scene, class Vector>
 void explicit_euler(const Scene& scene, double t, State<Vector>& state, double dt) {
   const auto& acceleration = scene.acceleration(t, state);
   state.position += state.velocity * dt;  // with the velocity from before the step
   state.velocity += acceleration * dt;
 }
+// [explicit_euler]
 
 /// The program of the slides: velocity first, then position with the *new* velocity (also called
 /// symplectic Euler). Order 1 as well, but on an undamped spring the energy stays in a band.
@@ -39,6 +41,7 @@ template <class Vector>
 struct VelocityVerlet {
   std::optional<Vector> acceleration;  // at the end of the last step; empty before the first
 
+  // [velocity_verlet]
   template <class Scene>
   void operator()(const Scene& scene, double t, State<Vector>& state, double dt) {
     if (!acceleration) acceleration = scene.acceleration(t, state);
@@ -47,6 +50,7 @@ struct VelocityVerlet {
     *acceleration = scene.acceleration(t + dt, state);
     state.velocity += *acceleration * (dt / 2);
   }
+  // [velocity_verlet]
 };
 
 /// The classical Runge-Kutta method (Kutta 1901): the slope at the start, twice in the middle, and

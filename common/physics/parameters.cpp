@@ -119,6 +119,17 @@ Parameter position(Components value, double highest_slider) {
 Parameter velocity(Components value) {
   return {"velocity", "m/s", "velocity x,y,z at the start; y is up", value, any, {-5, 5}, true};
 }
+Parameter normal(Components value) {
+  Parameter normal{
+      "normal", "",  "a,b,c of the plane a x + b y + c z + d = 0; its length is no matter",
+      value,    any, {-1, 1}};
+  normal.is_not_zero = true;
+  return normal;
+}
+Parameter offset(double& value) {
+  return {"offset", "",  "d of the plane; in metres when the normal has length 1",
+          &value,   any, {-1, 1}};
+}
 Parameter floor(bool& value) {
   return {"floor", "", "is there a floor at height 0?", on_off(value)};
 }

@@ -79,6 +79,8 @@ Parameter contact(ContactLaw& value);
 // In three dimensions: x, y, z, with y up.
 Parameter position(Components value, double highest_slider);
 Parameter velocity(Components value);
+Parameter normal(Components value);
+Parameter offset(double& value);
 
 /// on|off
 Parameter floor(bool& value);

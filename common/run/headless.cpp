@@ -116,7 +116,7 @@ std::string summary(const StageName& stage, Simulation& simulation, double start
 int run_headless(const StageName& stage, Simulation& simulation, const Options& options) {
   std::optional<Trace> trace;
   if (!options.csv.empty()) trace.emplace(options.csv, simulation);
-  if (!options.save.empty()) OutputFile("--save", options.save);  // refuse now, not after the run
+  if (!options.save.empty()) OutputFile::check("--save", options.save);
   if (const std::string warning = step_warning(simulation); !warning.empty()) {
     std::cerr << stage.name << ": warning: " << warning << "\n";
   }

@@ -32,6 +32,13 @@ OutputFile::OutputFile(std::string option, const std::string& path)
   }
 }
 
+void OutputFile::check(const std::string& option, const std::string& path) {
+  std::error_code error;
+  const fs::file_status target = fs::status(path, error);
+  if (path == "-" || fs::is_character_file(target) || fs::is_fifo(target)) return;
+  OutputFile(option, path);
+}
+
 OutputFile::~OutputFile() {
   if (file_ == nullptr || file_ == stdout) return;
   std::fclose(file_);

@@ -23,6 +23,10 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
+  /// Refuses now what would be refused later, and leaves nothing. A device or a pipe is not
+  /// touched.
+  static void check(const std::string& option, const std::string& path);
+
   void write(std::string_view text);  // throws MachineFailure
   void finish();                      // throws MachineFailure
 

@@ -7,6 +7,7 @@
 using namespace bounce;
 using test::Outcome;
 using test::run_program;
+using test::run_program_with;
 
 namespace fs = std::filesystem;
 
@@ -26,7 +27,7 @@ TEST_CASE(
        {"SDL_VIDEODRIVER=dummy", "SDL_VIDEODRIVER=no_such_driver",
         "env -u SDL_VIDEODRIVER -u DISPLAY -u WAYLAND_DISPLAY SDL_VIDEODRIVER=x11"}) {
     for (const std::string stage : {"01_free_fall", "02_spring_floor", "03_damping"}) {
-      const Outcome run = run_program(stage + " --duration 1", environment);
+      const Outcome run = run_program_with(environment, stage + " --duration 1");
       CAPTURE(environment);
       CAPTURE(run.err);
       CHECK(run.code == 0);
@@ -41,9 +42,9 @@ TEST_CASE(
 
 TEST_CASE("--screenshot writes the same picture every time, and needs no display") {
   const std::string command = "03_damping --screenshot picture.png --duration 0.6";
-  REQUIRE(run_program(command, "SDL_VIDEODRIVER=").code == 0);
+  REQUIRE(run_program_with("SDL_VIDEODRIVER=", command).code == 0);
   const std::string first = test::read_file(test::work_folder() + "/picture.png");
-  REQUIRE(run_program(command, "SDL_VIDEODRIVER=dummy").code == 0);
+  REQUIRE(run_program_with("SDL_VIDEODRIVER=dummy", command).code == 0);
   CHECK(first.size() > 20000);
   CHECK(first == test::read_file(test::work_folder() + "/picture.png"));
 }
@@ -63,7 +64,7 @@ TEST_CASE("a picture or a clip that cannot be written: exit code 2, nothing left
 
 TEST_CASE("without ffmpeg, --record names it and ends with exit code 1; with it, there is a clip") {
   const Outcome without =
-      run_program("03_damping --duration 0.2 --record clip.gif", "PATH=/nowhere");
+      run_program_with("PATH=/nowhere", "03_damping --duration 0.2 --record clip.gif");
   CHECK(without.code == 1);
   CHECK(contains(without.err, "ffmpeg"));
   CHECK(contains(without.err, "install"));

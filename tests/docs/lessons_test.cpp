@@ -1,1 +1,143 @@
 #include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "docs/lesson_tool.hpp"
+
+using namespace bounce::test;
+namespace fs = std::filesystem;
+
+TEST_CASE("the lessons show what the code says and what the programs print") {
+  const fs::path root = BOUNCE_SOURCE_DIR;
+  const std::string update =
+      (fs::relative(BOUNCE_BIN_DIR, root) / "update_lessons").string() + "   mends it";
+  for (const fs::path& file : lesson_files(root)) {
+    const CheckedLesson checked =
+        check_lesson(root, file, read_file((root / file).string()), run_program);
+    for (const Finding& drift : checked.drifted) {
+      FAIL_CHECK(file.string() << ":" << drift.line << ": " << drift.message << update);
+    }
+    for (const Finding& mistake : checked.mistakes) {
+      FAIL_CHECK(file.string() << ":" << mistake.line << ": " << mistake.message);
+    }
+  }
+}
+
+// ---- The tool itself, on a small project of its own ---------------------------------------------
+
+namespace {
+
+struct Project {
+  fs::path root = fs::path(work_folder()).parent_path() / "project";
+  Project() {
+    fs::create_directories(root / "docs");
+    std::ofstream(root / "old.hpp") << "  // [law]\n  F = -m * g;\n  a = F / m;\n  // [law]\n";
+    std::ofstream(root / "new.hpp") << "// [law]\nF = -m * g;\nif (y < r) {\n  F += k * (r - y);\n"
+                                       "}\na = F / m;\n// [law]\n// [once]\n";
+  }
+  ~Project() { fs::remove_all(root); }
+
+  /// The check of a lesson; the only program is `fall`.
+  CheckedLesson check(const std::string& text, const std::string& name = "01_law.md") const {
+    return check_lesson(root, fs::path("docs") / name, text, [](const std::string& command) {
+      if (command == "fall --list") {
+        return Outcome{0,
+                       "fall: a ball\n\nparameter  unit   default  valid     meaning\n"
+                       "mass       kg     1        positive  how much\n"
+                       "contact           slides   a or b    may it pull?\n",
+                       ""};
+      }
+      return command == "fall --at 1" ? Outcome{0, "t,y\n1,0.095\n", ""} : Outcome{2, "", "what?"};
+    });
+  }
+};
+
+void check_clean(const CheckedLesson& checked, const std::string& text) {
+  CHECK(checked.drifted.empty());
+  CHECK(checked.mistakes.empty());
+  CHECK(checked.text == text);
+}
+
+}  // namespace
+
+TEST_CASE("a block that is as it should be passes, and one that drifted is found and mended") {
+  const Project project;
+  struct Case {
+    std::string marker, block, drifted;
+  };
+  const Case cases[] = {
+      {"<!-- cut: old.hpp law -->", "```cpp\nF = -m * g;\na = F / m;\n```\n",
+       "```cpp\nF = m * g;\na = F / m;\n```\n"},
+      {"<!-- diff: old.hpp law | new.hpp law -->",
+       "```diff\n  F = -m * g;\n+ if (y < r) {\n+   F += k * (r - y);\n+ }\n  a = F / m;\n```\n",
+       "```diff\n  F = -m * g;\n+ if (y < r) F += k * (r - y);\n  a = F / m;\n```\n"},
+      {"`fall --at 1` prints\n<!-- run: fall --at 1 -->", "```text\nt,y\n1,0.095\n```\n",
+       "```text\nt,y\n1,0.096\n```\n"},
+      {"<!-- list: fall -->",
+       "| parameter | unit | default | valid | meaning |\n|---|---|---|---|---|\n"
+       "| `mass` | kg | 1 | positive | how much |\n"
+       "| `contact` |  | slides | a or b | may it pull? |\n",
+       "| parameter | unit | default | valid | meaning |\n|---|---|---|---|---|\n"
+       "| `mass` | kg | 2 | positive | how much |\n"},
+      {"`fall --at 1`\n<!-- table: fall --at 1 -->", "t,y\n1,0.095\n", "t,y\n1,0.96\n"}};
+  for (const Case& one : cases) {
+    CAPTURE(one.marker);
+    const std::string before = "# Law\n\n" + one.marker + "\n", after = "\nNext.\n";
+    const std::string right = before + one.block + after;
+    check_clean(project.check(right), right);
+
+    for (const std::string& wrong : {one.drifted, std::string()}) {  // empty: not yet there
+      const CheckedLesson checked = project.check(before + wrong + after);
+      REQUIRE(checked.drifted.size() == 1);
+      CHECK(checked.mistakes.empty());
+      CHECK(checked.text == right);
+      const long lines_before = std::count(before.begin(), before.end(), '\n');
+      CHECK(checked.drifted[0].line == static_cast<std::size_t>(lines_before) + 1);
+      CHECK(checked.drifted[0].message.find(one.block) != std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("what only an author can mend is said, with its line, and the text is left alone") {
+  const Project project;
+  struct Case {
+    std::string text, says;
+    std::size_t line;
+  };
+  const Case cases[] = {
+      {"# Law\n<!-- cut: old.hpp low -->\n```cpp\n```\n", "// [low] 0 times", 2},
+      {"<!-- cut: new.hpp once -->\n```cpp\n```\n", "// [once] 1 times", 1},
+      {"<!-- cut: lost.hpp law -->\n```cpp\n```\n", "no file lost.hpp", 1},
+      {"<!-- diff: old.hpp law -->\n```diff\n```\n", "FILE1 NAME1 | FILE2 NAME2", 1},
+      {"`fall --at 2`\n<!-- run: fall --at 2 -->\n```text\n```\n", "exit code 2: what?", 2},
+      {"<!-- run: fall --at 1 -->\n```text\nt,y\n1,0.095\n```\n", "does not show the command", 1},
+      {"<!-- list: fell -->\n", "exit code 2", 1},
+      {"\n<!-- cut: old.hpp law -->\n```cpp\nF = -m * g;\n", "never closed: ```cpp", 2},
+      {"```sh\nls\n\n```sh\nls\n```\n", "never closed: ```sh", 1},
+      {"```cpp\nint x;\n```\n", "no marker", 1},
+      {"<!-- cuts: old.hpp law -->\n", "not understood", 1},
+      {"One.\nSee [two](02_gone.md#start).\n", "leads nowhere: 02_gone.md", 2},
+      {"![a ball](images/gone.png)\n", "leads nowhere: images/gone.png", 1},
+  };
+  for (const Case& one : cases) {
+    CAPTURE(one.text);
+    const CheckedLesson checked = project.check(one.text);
+    REQUIRE(checked.mistakes.size() == 1);
+    CHECK(checked.mistakes[0].message.find(one.says) != std::string::npos);
+    CHECK(checked.mistakes[0].line == one.line);
+    CHECK(checked.drifted.empty());
+    CHECK(checked.text == one.text);
+  }
+}
+
+TEST_CASE("what may be written by hand") {
+  const Project project;
+  const std::string shell = "```sh\n./course play 1\n```\n";
+  const std::string explained = "<!-- by hand: it is wrong on purpose -->\n```cpp\nint x\n```\n";
+  const std::string links = "[code](../old.hpp) [web](https://example.org/a) [here](#law)\n";
+  for (const std::string& text : {shell, explained, links}) check_clean(project.check(text), text);
+  const std::string free = "```cpp\nint x;\n```\n";
+  check_clean(project.check(free, "architecture.md"), free);  // only the numbered lessons are cut
+}

@@ -319,3 +319,15 @@ TEST_CASE("a step that is too long for the contact is named before the run") {
   CHECK(run_program("02_spring_floor --headless --dt 0.001").err.find("warning") ==
         std::string::npos);
 }
+
+TEST_CASE("an interrupted run keeps what was computed, and ends with exit code 130") {
+  // 1e11 steps would take minutes; Ctrl-C comes after half a second.
+  const Outcome run = test::run_program_with(
+      "timeout --preserve-status -s INT 0.5",
+      "03_damping --headless --dt 1e-9 --duration 100 --csv out.csv --sample 1e-3 --save state");
+  CAPTURE(run.err);
+  CHECK(run.code == 130);
+  CHECK(contains(run.err, "interrupted at t = "));
+  CHECK(lines(test::read_file(test::work_folder() + "/out.csv")).size() > 2);
+  CHECK(files() == std::vector<std::string>{"out.csv", "state"});
+}

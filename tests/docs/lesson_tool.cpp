@@ -1,0 +1,236 @@
+#include "docs/lesson_tool.hpp"
+
+#include <algorithm>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+
+namespace bounce::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Lines = std::vector<std::string>;
+
+/// What only an author can mend.
+struct Mistake : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+Lines lines_of(const std::string& text) {
+  Lines lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+std::string text_of(const Lines& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
+}
+
+bool is_fence(const std::string& line) { return line.rfind("```", 0) == 0; }
+
+// ---- Where blocks come from ---------------------------------------------------------------------
+
+/// "FILE NAME": the lines between two `// [NAME]` lines, without the spaces that all begin with.
+Lines cut(const fs::path& root, const std::string& what) {
+  std::istringstream words(what);
+  std::string file, name, more;
+  if (!(words >> file >> name) || words >> more) throw Mistake("a cut is FILE NAME: " + what);
+  if (!fs::is_regular_file(root / file)) throw Mistake("there is no file " + file);
+  const std::string anchor = "// [" + name + "]";
+  Lines found;
+  int anchors = 0;
+  for (const std::string& line : lines_of(read_file((root / file).string()))) {
+    if (trimmed(line) == anchor) {
+      ++anchors;
+    } else if (anchors == 1) {
+      found.push_back(line);
+    }
+  }
+  if (anchors != 2) {
+    throw Mistake(file + " has the line " + anchor + " " + std::to_string(anchors) +
+                  " times: it takes one before the lines and one after them");
+  }
+  std::size_t indent = std::string::npos;
+  for (const std::string& line : found) indent = std::min(indent, line.find_first_not_of(' '));
+  for (std::string& line : found) line.erase(0, std::min(indent, line.size()));
+  return found;
+}
+
+/// Line by line, by the longest common subsequence.
+Lines difference(const Lines& a, const Lines& b) {
+  const std::size_t n = a.size(), m = b.size();
+  std::vector<std::vector<std::size_t>> common(n + 1, std::vector<std::size_t>(m + 1, 0));
+  for (std::size_t i = n; i-- > 0;) {
+    for (std::size_t j = m; j-- > 0;) {
+      common[i][j] =
+          a[i] == b[j] ? common[i + 1][j + 1] + 1 : std::max(common[i + 1][j], common[i][j + 1]);
+    }
+  }
+  Lines lines;
+  std::size_t i = 0, j = 0;
+  while (i < n || j < m) {
+    if (i < n && j < m && a[i] == b[j]) {
+      lines.push_back("  " + a[i++]);
+      ++j;
+    } else if (j == m || (i < n && common[i + 1][j] >= common[i][j + 1])) {
+      lines.push_back("- " + a[i++]);
+    } else {
+      lines.push_back("+ " + b[j++]);
+    }
+  }
+  for (std::string& line : lines) line.erase(line.find_last_not_of(' ') + 1);
+  return lines;
+}
+
+Lines output_of(const std::string& command, const Runner& run) {
+  const Outcome outcome = run(command);
+  if (outcome.code == 0) return lines_of(outcome.out);
+  throw Mistake(command + " ended with exit code " + std::to_string(outcome.code) + ": " +
+                outcome.err);
+}
+
+/// The table that `--list` prints in columns; its header line tells where they begin.
+Lines parameter_table(const std::string& stage, const Runner& run) {
+  std::vector<std::size_t> begin;
+  Lines table;
+  for (const std::string& line : output_of(stage + " --list", run)) {
+    if (begin.empty() && line.rfind("parameter", 0) == 0) {
+      for (const char* word : {"parameter", "unit", "default", "valid", "meaning"}) {
+        begin.push_back(line.find(word));
+      }
+    }
+    if (begin.empty()) continue;
+    std::string row = "|";
+    for (std::size_t i = 0; i < begin.size(); ++i) {
+      if (begin[i] > line.size() || (i > 0 && line[begin[i] - 1] != ' ')) {
+        throw Mistake(stage + " --list: this line is not in its columns: " + line);
+      }
+      const std::size_t end = i + 1 < begin.size() ? begin[i + 1] : std::string::npos;
+      const std::string cell = trimmed(line.substr(begin[i], end - begin[i]));
+      const bool is_name = i == 0 && !table.empty();
+      row += (is_name ? " `" + cell + "`" : " " + cell) + " |";
+    }
+    table.push_back(row);
+    if (table.size() == 1) table.push_back("|---|---|---|---|---|");
+  }
+  if (table.size() < 3) throw Mistake(stage + " --list shows no parameters");
+  return table;
+}
+
+/// The block that belongs after the marker, with its fence.
+Lines block_for(const std::string& kind, const std::string& what, const fs::path& root,
+                const Runner& run) {
+  const auto fenced = [](const std::string& language, Lines lines) {
+    lines.insert(lines.begin(), "```" + language);
+    lines.push_back("```");
+    return lines;
+  };
+  if (kind == "cut") return fenced("cpp", cut(root, what));
+  if (kind == "run") return fenced("text", output_of(what, run));
+  if (kind == "list") return parameter_table(what, run);
+  if (kind == "table") return output_of(what, run);
+  const std::size_t bar = what.find(" | ");
+  if (bar == std::string::npos) throw Mistake("a diff is FILE1 NAME1 | FILE2 NAME2: " + what);
+  return fenced("diff",
+                difference(cut(root, what.substr(0, bar)), cut(root, what.substr(bar + 3))));
+}
+
+// ---- The lesson ---------------------------------------------------------------------------------
+
+/// Where the block that begins at line `at` ends (one beyond its last line); `at` when there is
+/// none.
+std::size_t end_of_block(const Lines& lines, std::size_t at, bool table) {
+  if (table) {
+    while (at < lines.size() && !trimmed(lines[at]).empty()) ++at;
+    return at;
+  }
+  if (at == lines.size() || !is_fence(lines[at])) return at;
+  for (std::size_t i = at + 1; i < lines.size(); ++i) {
+    if (lines[i] == "```") return i + 1;
+    if (is_fence(lines[i])) break;
+  }
+  throw Mistake("this fence is never closed: " + lines[at]);
+}
+
+void check_links(const std::string& line, const fs::path& folder) {
+  static const std::regex link(R"(\]\(([^)#\s]+)[^)]*\))");
+  for (std::sregex_iterator it(line.begin(), line.end(), link), end; it != end; ++it) {
+    const std::string target = (*it)[1];
+    if (target.find("://") != std::string::npos || target.rfind("mailto:", 0) == 0) continue;
+    if (!fs::exists(folder / target)) throw Mistake("this link leads nowhere: " + target);
+  }
+}
+
+}  // namespace
+
+CheckedLesson check_lesson(const fs::path& root, const fs::path& file, const std::string& text,
+                           const Runner& run) {
+  static const std::regex marker(R"(<!-- (cut|diff|run|list|table|by hand): (.+) -->)");
+  const bool all_marked = file.filename().string().rfind("0", 0) == 0;  // in the numbered lessons
+  const Lines lines = lines_of(text);
+  CheckedLesson checked;
+  Lines made;
+  for (std::size_t i = 0, end; i < lines.size(); i = end) {
+    end = i + 1;
+    std::smatch match;
+    try {
+      if (std::regex_match(lines[i], match, marker)) {
+        const std::string kind = match[1], what = match[2];
+        end = lines.size();  // a fence that is never closed swallows the rest
+        end = end_of_block(lines, i + 1, kind == "list" || kind == "table");
+        if (kind != "by hand") {
+          if (kind == "run" && text.find(what) == text.rfind(what)) {
+            throw Mistake("the text does not show the command of this block: " + what);
+          }
+          const Lines block = block_for(kind, what, root, run);
+          const Lines found(lines.begin() + static_cast<long>(i) + 1,
+                            lines.begin() + static_cast<long>(end));
+          if (found != block) {
+            checked.drifted.push_back(
+                {i + 2, "the block is\n" + text_of(found) + "and should be\n" + text_of(block)});
+          }
+          made.push_back(lines[i]);
+          made.insert(made.end(), block.begin(), block.end());
+          continue;
+        }
+      } else if (is_fence(lines[i])) {
+        end = lines.size();
+        end = end_of_block(lines, i, false);
+        if (all_marked && lines[i] != "```sh") {
+          throw Mistake("no marker says where this block comes from (or <!-- by hand: reason -->)");
+        }
+      } else if (lines[i].rfind("<!--", 0) == 0) {
+        throw Mistake("this marker is not understood");
+      } else {
+        check_links(lines[i], (root / file).parent_path());
+      }
+    } catch (const Mistake& mistake) {
+      checked.mistakes.push_back({i + 1, mistake.what()});
+    }
+    made.insert(made.end(), lines.begin() + static_cast<long>(i),
+                lines.begin() + static_cast<long>(end));
+  }
+  checked.text = text_of(made);
+  return checked;
+}
+
+std::vector<fs::path> lesson_files(const fs::path& root) {
+  std::vector<fs::path> files;
+  if (fs::exists(root / "README.md")) files.push_back("README.md");
+  for (const fs::directory_entry& entry : fs::directory_iterator(root / "docs")) {
+    if (entry.path().extension() == ".md") files.push_back("docs" / entry.path().filename());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace bounce::test
