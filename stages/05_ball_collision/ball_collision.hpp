@@ -16,21 +16,25 @@ struct Ball {
   double radius;             // m
 };
 
-/// How two balls meet. `e12` is the unit vector from ball 2 to ball 1.
+/// How two balls touch, or do not.
 struct Meeting {
-  double overlap;  // m; not positive: they do not touch
-  Eigen::Vector3d e12;
-  double separation_speed;  // m/s, along e12
+  double overlap;                // m; not positive: they do not touch, and the rest is empty
+  Eigen::Vector3d e12{0, 0, 0};  // unit vector from ball 2 to ball 1
+  double separation_speed = 0;   // m/s, along e12
 };
 
 // [meeting]
 inline Meeting meet(const Ball& ball1, const Ball& ball2) {
   const Eigen::Vector3d between = ball1.position - ball2.position;
   const double d = between.norm();
+  Meeting meeting{ball1.radius + ball2.radius - d};
+  if (!(meeting.overlap > 0)) return meeting;
   // Where the centres coincide there is no direction: ball 1, the one with the lower number, goes
   // up. (Below 1e-100 m the squares in d underflow, and the direction would be noise.)
-  const Eigen::Vector3d e12 = d > 1e-100 ? between / d : Eigen::Vector3d::UnitY();
-  return {ball1.radius + ball2.radius - d, e12, (ball1.velocity - ball2.velocity).dot(e12)};
+  meeting.e12 = Eigen::Vector3d::UnitY();
+  if (d > 1e-100) meeting.e12 = between / d;
+  meeting.separation_speed = (ball1.velocity - ball2.velocity).dot(meeting.e12);
+  return meeting;
 }
 // [meeting]
 
@@ -39,9 +43,8 @@ inline Meeting meet(const Ball& ball1, const Ball& ball2) {
 /// 2 to ball 1, as here, and then call k (2r - d) e12 the force on ball 2: it is the one on ball 1.
 inline Eigen::Vector3d pair_force(const Ball& ball1, const Ball& ball2,
                                   const SpringDamper& contact) {
-  const Meeting m = meet(ball1, ball2);
-  if (!(m.overlap > 0)) return Eigen::Vector3d::Zero();
-  return contact.force(m.overlap, m.separation_speed) * m.e12;  // apart, along the line of centres
+  const Meeting meeting = meet(ball1, ball2);
+  return contact.force(meeting.overlap, meeting.separation_speed) * meeting.e12;
 }
 // [pair]
 
@@ -158,9 +161,9 @@ inline double BallCollision::damper_power(const State<Matrix>& state) const {
   const SpringDamper from_floor = floor_contact(), from_ball = pair_contact();
   double power = 0;
   // The part of the force that is not the spring's, times the speed against which it acts.
-  const auto add = [&power](const SpringDamper& contact, double overlap, double separation_speed) {
+  const auto add = [&power](const SpringDamper& law, double overlap, double separation_speed) {
     if (!(overlap > 0)) return;
-    const double damper = contact.force(overlap, separation_speed) - contact.stiffness * overlap;
+    const double damper = law.force(overlap, separation_speed) - law.stiffness * overlap;
     power -= damper * separation_speed;
   };
   for (Eigen::Index i = 0; i < mass.size(); ++i) {

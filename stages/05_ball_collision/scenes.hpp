@@ -67,18 +67,18 @@ inline Arrangement cradle(int count, double gap) {
   for (int ball = 0; ball < count; ++ball) {
     start.balls.position(0, ball) = (0.2 + gap) * (ball - (count - 1) / 2.0);
   }
-  start.balls.position(0, 0) -= 0.4;
-  start.balls.velocity(0, 0) = 1;
+  start.balls.position(0, 0) -= 0.3;
+  start.balls.velocity(0, 0) = 0.3;
   return start;
 }
 
 /// A small ball above a big one of ten times its mass, `gap` between them, falls on the floor from
-/// 0.5 m. The radii fit the masses: the same material.
+/// 0.8 m. The radii fit the masses: the same material.
 inline Arrangement tower(double gap) {
   Arrangement start(2);
   start.mass << 10, 1;
   start.radius << 0.2, 0.2 / std::cbrt(10.0);
-  start.balls.position(1, 0) = 0.5 + start.radius[0];
+  start.balls.position(1, 0) = 0.8 + start.radius[0];
   start.balls.position(1, 1) = start.balls.position(1, 0) + start.radius.sum() + gap;
   return start;
 }
