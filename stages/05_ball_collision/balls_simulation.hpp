@@ -120,8 +120,7 @@ inline void BallsSimulation::choose_scene(BallScene scene) {
       choice_.count = 5;
       break;
     case BallScene::tower:  // hard balls, so that the one is done before the other begins
-      scene_.stiffness = 1e6;
-      scene_.floor_stiffness = 1e5;
+      scene_.stiffness = scene_.floor_stiffness = 1e5;
       break;
     case BallScene::drop:
       choice_.count = 300;
@@ -132,7 +131,6 @@ inline void BallsSimulation::choose_scene(BallScene scene) {
       break;
   }
   tray_of_scene_ = scene_.tray;
-  use_dt(scene == BallScene::tower ? 1e-4 : 1e-3);  // omega0 dt = 0.1 to 0.14, or 0.2 in `drop`
 }
 
 inline void BallsSimulation::use_balls(Arrangement balls, const std::string& origin) {
@@ -158,8 +156,7 @@ inline std::vector<Parameter> BallsSimulation::parameters() {
   Choice scenes{{"pair", "break", "cradle", "tower", "drop"},
                 [this] { return static_cast<std::size_t>(choice_.scene); },
                 [this](std::size_t index) { choose_scene(static_cast<BallScene>(index)); }};
-  Parameter scene{"scene", "",
-                  "the balls at the start; it brings its own defaults of all others, and of dt",
+  Parameter scene{"scene", "", "the balls at the start; it brings its own defaults of all others",
                   std::move(scenes)};
   scene.is_start = scene.chooses_defaults = true;
   Parameter count{"count",   "",  "balls of break, cradle and drop", &choice_.count, {1, 1e7},
