@@ -1,0 +1,10 @@
+#!/bin/sh
+# Makes the pictures of the lessons anew, from the programs of the release build.
+set -e
+cd "$(dirname "$0")"
+bin=../../build/release/bin
+$bin/01_free_fall --screenshot 01_free_fall.png --dt 0.1 --duration 0.9
+$bin/02_spring_floor --screenshot 02_spring_floor.png --set stiffness=2000 --duration 2.34
+$bin/02_spring_floor --screenshot 02_explicit_euler.png --method explicit-euler --duration 2.8
+$bin/03_damping --screenshot 03_damping.png --set damping=18 --duration 2.2
+$bin/03_damping --screenshot 03_pull.png --set damping=43 --dt 0.0001 --duration 0.458
