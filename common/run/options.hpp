@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -16,9 +17,12 @@ struct StageName {
 
 /// An option that one stage has besides those that all have.
 struct StageOption {
-  std::string name;     // "--sweep"
-  std::string value;    // what follows it, for --help
+  std::string name;     // "--balls"
+  std::string value;    // what follows it, for --help: "FILE"
   std::string meaning;  // one line, for --help
+  /// Called with the text, before the parameters are set; throws BadInput. May be empty.
+  std::function<void(Simulation&, const std::string& text)> apply = {};
+  std::vector<std::string> replaces = {};  // parameters that cannot be set beside it
 };
 
 /// What the user asked for on the command line. Parameters, method and time step are not here: they
