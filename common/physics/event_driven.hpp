@@ -37,7 +37,7 @@ class EventDriven {
   const State<Vector>& state_at_last_event() const { return state_; }
 
   void pass_event() {
-    const State<Vector> arrived = phases_.move(phase_, state_, end_.after);
+    const State<Vector> arrived = arrival();
     state_ = phases_.at_event(phase_, end_.next, arrived);
     const double rounding = 4 * std::numeric_limits<double>::epsilon() * start_;
     crowded_ = end_.after > rounding ? 0 : crowded_ + 1;
@@ -56,6 +56,14 @@ class EventDriven {
   }
 
  private:
+  /// Where the current phase ends. Phases that know it from the search for the end have `arrive`.
+  State<Vector> arrival() const {
+    if constexpr (requires { phases_.arrive(state_, end_); }) {
+      return phases_.arrive(state_, end_);
+    } else {
+      return phases_.move(phase_, state_, end_.after);
+    }
+  }
   void find_end() { end_ = phases_.end_of(phase_, state_); }
 
   Phases phases_;
