@@ -130,7 +130,7 @@ TEST_CASE_FIXTURE(Fixture, "the ball can be dragged and thrown") {
 
 TEST_CASE_FIXTURE(Fixture,
                   "a frame is cheap enough for 30 frames a second in the software renderer") {
-  frames(120);  // with a trail
+  frames(120);                              // with a trail
   const std::clock_t begin = std::clock();  // of the processor: other programs do not count
   frames(60);
   const double spent = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
