@@ -16,6 +16,7 @@
 #include "app/palette.hpp"
 #include "app/space_drawing.hpp"
 #include "balls_simulation.hpp"
+#include "cover.hpp"
 
 namespace bounce {
 namespace {
@@ -243,17 +244,28 @@ void draw_balls(Canvas& canvas, const Camera& camera, const Player& player, cons
     draw_futures(canvas, camera, view.future, count, false);
     if (view.trail) draw_trails(canvas, camera, player, count);
   }
-  // Far balls first: there is no depth buffer.
-  std::vector<std::pair<double, std::size_t>> order(count);
-  for (std::size_t i = 0; i < count; ++i) order[i] = {-camera.depth(position(rows, i)), i};
-  std::sort(order.begin(), order.end());
-  const double mass = scene.mass.sum();
-  const double fast = std::sqrt(2 * std::max(std::abs(simulation.energy_before()), 1e-12) / mass);
-  for (const auto& [depth, i] : order) {
+  // From near to far to leave out what is hidden, and then drawn from far to near.
+  struct Seen {
+    double depth;
+    Point centre;
+    float radius;
+    double speed;
+  };
+  std::vector<Seen> seen;
+  for (std::size_t i = 0; i < count; ++i) {
     const Vector3d centre = position(rows, i);
     if (!camera.sees(centre)) continue;
     const float size = std::max(2.0f, static_cast<float>(radius(i)) * camera.per_metre(centre));
-    canvas.ball(camera.at(centre), size, colour_of(velocity(rows, i).norm(), fast));
+    seen.push_back({camera.depth(centre), camera.at(centre), size, velocity(rows, i).norm()});
+  }
+  std::sort(seen.begin(), seen.end(),
+            [](const Seen& a, const Seen& b) { return a.depth < b.depth; });
+  Cover cover(layout::scene);
+  std::erase_if(seen, [&](const Seen& ball) { return !cover.add(ball.centre, ball.radius); });
+  const double mass = scene.mass.sum();
+  const double fast = std::sqrt(2 * std::max(std::abs(simulation.energy_before()), 1e-12) / mass);
+  for (auto ball = seen.rbegin(); ball != seen.rend(); ++ball) {
+    canvas.ball(ball->centre, ball->radius, colour_of(ball->speed, fast));
   }
   if (count <= very_few) {
     if (view.forces) draw_arrows(canvas, camera, scene, rows, count);
