@@ -93,7 +93,8 @@ std::string summary(const StageName& stage, Simulation& simulation, double start
   say("wall_s", wall);
   line += " steps=" + std::to_string(steps);
   const int each = force_evaluations_per_step(simulation.method());
-  line += " force_evaluations=" + std::to_string(steps * each);
+  line +=
+      " force_evaluations=" + std::to_string(steps * each + simulation.counted_force_evaluations());
   if (steps > 0) say("ns_per_step", stepping / static_cast<double>(steps) * 1e9);
   // Against the exact solution's energy, so that what the damper takes is no drift.
   const double reference = simulation.exact_energy().value_or(energy_at_start);
