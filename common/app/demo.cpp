@@ -1,6 +1,8 @@
 #include "app/demo.hpp"
 
+#include <filesystem>
 #include <iostream>
+#include <utility>
 
 #include "run/output_file.hpp"
 
@@ -20,6 +22,28 @@ int run_unseen(const Demo& demo, std::unique_ptr<Simulation> simulation, Options
 
 }  // namespace
 
+/// Two outputs in one file would leave only one of them.
+static void refuse_same_file(const Options& options) {
+  const std::pair<const char*, const std::string*> outputs[] = {
+      {"--csv", &options.csv},
+      {"--save", &options.save},
+      {"--screenshot", &options.screenshot},
+      {"--record", &options.record}};
+  for (const auto& a : outputs) {
+    for (const auto& b : outputs) {
+      if (&a >= &b || a.second->empty() || b.second->empty() || *a.second == "-" ||
+          *a.second == "/dev/null")
+        continue;
+      const auto place = [](const std::string& path) {
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
+      };
+      if (place(*a.second) != place(*b.second)) continue;
+      throw BadInput(std::string(a.first) + " and " + b.first + " name the same file '" +
+                     *a.second + "': each must have one of its own");
+    }
+  }
+}
+
 int play(int argc, const char* const* argv, const Demo& demo) {
   const std::unique_ptr<Simulation> simulation = demo.make();
   return guarded(demo.stage, *simulation, [&]() -> int {
@@ -27,6 +51,7 @@ int play(int argc, const char* const* argv, const Demo& demo) {
     if (!parse_command_line(argc, argv, demo.stage, *simulation, options, demo.options)) {
       return exit_ok;
     }
+    refuse_same_file(options);
     if (demo.other_work) {
       if (const std::optional<int> code = demo.other_work(*simulation, options)) return *code;
     }

@@ -8,6 +8,7 @@
 #include "app/drawing.hpp"
 #include "app/layout.hpp"
 #include "app/palette.hpp"
+#include "run/interrupt.hpp"
 #include "run/save_load.hpp"
 
 namespace bounce {
@@ -213,7 +214,8 @@ bool show_window(const Demo& demo, std::unique_ptr<Simulation> simulation, const
   const auto frequency = static_cast<double>(SDL_GetPerformanceFrequency());
   Uint64 last = SDL_GetPerformanceCounter();
   double frame = 1.0 / 60;
-  while (window->tick(frame)) {
+  catch_interrupts();
+  while (window->tick(frame) && !interrupted()) {
     Uint64 now = SDL_GetPerformanceCounter();
     const double spent = static_cast<double>(now - last) / frequency;
     if (spent < 1.0 / 65)
@@ -249,8 +251,9 @@ void record_clip(const Demo& demo, std::unique_ptr<Simulation> simulation, const
   Window window(demo, std::move(simulation), options, false);
   window.view().forces = true;
   window.keep_pixels = true;
+  catch_interrupts();
   const double frame = 1.0 / recorder.frames_per_second();
-  while (window.player().shown_time() < options.duration && window.tick(frame))
+  while (window.player().shown_time() < options.duration && window.tick(frame) && !interrupted())
     recorder.add(window.pixels());
   recorder.finish();
 }

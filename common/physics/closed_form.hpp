@@ -30,7 +30,7 @@ inline double time_to_fall(double height, double velocity, double gravity, doubl
   if (!(impact_speed >= 0)) return never;
   if (velocity > 0) return gravity > 0 ? (velocity + impact_speed) / gravity : never;
   return impact_speed - velocity > 0 ? 2 * height / (impact_speed - velocity)
-                                     : (height > 0 ? never : 0);
+                                     : (height > 0 || !(gravity > 0) ? never : 0);
 }
 inline double time_to_fall(double height, double velocity, double gravity) {
   return time_to_fall(height, velocity, gravity, impact_speed(height, velocity, gravity));
@@ -82,8 +82,9 @@ class BouncePhases {
 
   State<double> move(Phase phase, const State<double>& start, double t) const {
     if (phase != Phase::touch) return fly(start, gravity_, t);
-    const State<double> moved = oscillator_.move(from_rest_height(start), t);
-    return {radius_ - sag_ + moved.position, moved.velocity};
+    const State<double> gap{start.position - radius_, start.velocity};
+    const State<double> moved = oscillator_.move(gap, t, -gravity_);
+    return {radius_ + moved.position, moved.velocity};
   }
 
   PhaseEnd end_of(Phase phase, const State<double>& start) const {

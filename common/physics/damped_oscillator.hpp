@@ -32,8 +32,9 @@ class DampedOscillator {
         fast_(beta + w_),
         slow_(omega0_squared_ / fast_) {}
 
-  /// Position [m] and velocity [m/s] after `t` seconds.
-  State<double> move(const State<double>& start, double t) const;
+  /// Position [m] and velocity [m/s] after `t` seconds, under a constant `push` besides [m/s^2]:
+  /// x'' + 2 beta x' + omega0^2 x = push.
+  State<double> move(const State<double>& start, double t, double push = 0) const;
 
   /// The first moment after 0 at which the velocity is zero [s], or `never`.
   double turning_time(const State<double>& start) const;
@@ -51,6 +52,7 @@ class DampedOscillator {
   }
 
  private:
+  double push_series(double t) const;
   Crossing upward_zero(const State<double>& start) const;
   Crossing rise_below_rest(const State<double>& start, double level) const;
 
@@ -65,7 +67,8 @@ class DampedOscillator {
 
 // The formulas are inline: the exact solution is made of nothing else.
 
-inline State<double> DampedOscillator::move(const State<double>& start, double t) const {
+inline State<double> DampedOscillator::move(const State<double>& start, double t,
+                                            double push) const {
   // x(t) = x0 (C + beta S) + v0 S,  v(t) = v0 (C - beta S) - omega0^2 x0 S, where S(t) answers a
   // kick: S(0) = 0, S'(0) = 1; and C = S' + beta S.
   double S, C_plus, C_minus;
@@ -83,8 +86,35 @@ inline State<double> DampedOscillator::move(const State<double>& start, double t
     C_minus = w_ * t > 0.5 ? envelope * (fast_ * std::exp(-2 * w_ * t) - slow_) / (2 * w_)
                            : envelope * (1 - fast_ * lead);
   }
-  return {start.position * C_plus + start.velocity * S,
-          start.velocity * C_minus - omega0_squared_ * start.position * S};
+  // A push of 1 m/s^2 displaces the ball by K(t) = (1 - C_plus) / omega0^2, and K' = S. For a soft
+  // spring that is t^2/2 and a little less, which the difference would lose: so, without it.
+  double K = 0;
+  if (push != 0) {
+    if ((omega0_ + beta_) * t < 0.5) {
+      K = push_series(t);
+    } else if (discriminant_ > 0) {
+      K = (1 - C_plus) / omega0_squared_;
+    } else {
+      K = (-std::expm1(-slow_ * t) / slow_ - S) / fast_;
+    }
+  }
+  return {start.position * C_plus + start.velocity * S + push * K,
+          start.velocity * C_minus - omega0_squared_ * start.position * S + push * S};
+}
+
+/// K(t) as a power series: K'' = 1 - 2 beta K' - omega0^2 K, from rest. For small t it needs no
+/// more than some ten terms.
+inline double DampedOscillator::push_series(double t) const {
+  double before = 0, term = t * t / 2, sum = 0;  // the terms of order n - 1 and n
+  // Without damping every other term is 0, so that it takes two to be done.
+  for (int n = 2; n < 40 && (sum + term != sum || sum + before != sum); ++n) {
+    sum += term;
+    const double next =
+        -(2 * beta_ * t * n * term + omega0_squared_ * t * t * before) / (n * (n + 1.0));
+    before = term;
+    term = next;
+  }
+  return sum;
 }
 
 inline double DampedOscillator::turning_time(const State<double>& start) const {

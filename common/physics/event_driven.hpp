@@ -37,6 +37,15 @@ class EventDriven {
     return phases_.move(phase_, state_, t - start_);
   }
 
+  /// Passes the events up to `t`, but at most so many. Returns whether it got there.
+  bool reach(double t, long long most_events) {
+    for (; t >= next_event(); --most_events) {
+      if (most_events == 0) return false;
+      pass_event();
+    }
+    return true;
+  }
+
   double next_event() const { return start_ + end_.after; }  // [s]; `never` when there is none
   double last_event() const { return start_; }  // [s]; the start before the first event
   Phase phase() const { return phase_; }

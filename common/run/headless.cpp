@@ -1,22 +1,18 @@
 #include "run/headless.hpp"
 
-#include <atomic>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <iostream>
 #include <optional>
 
 #include "physics/event_driven.hpp"
 #include "physics/stability.hpp"
+#include "run/interrupt.hpp"
 #include "run/output_file.hpp"
 #include "run/save_load.hpp"
 
 namespace bounce {
 namespace {
-
-std::atomic<bool> interrupted{false};
-extern "C" void on_interrupt(int) { interrupted = true; }
 
 /// The trace: a header, then rows of `t` and the state in decimals that read back to the same bits.
 class Trace {
@@ -26,6 +22,10 @@ class Trace {
     file_.write("t," + join(columns_, ",") + "\n");
   }
   void write(const Simulation& simulation) {
+    rows_ += static_cast<double>(simulation.balls());
+    if (rows_ > 1e8) {  // known beforehand for steps, but not for the events of `exact`
+      throw BadInput("--csv has got 1e8 rows, and more are not allowed: give --sample or --at");
+    }
     const std::vector<double> values = simulation.values();
     std::string rows;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -41,6 +41,7 @@ class Trace {
  private:
   OutputFile file_;
   std::vector<std::string> columns_;
+  double rows_ = 0;
 };
 
 /// The times of the trace rows: those of --at, or every --sample, or every step (event for
@@ -85,6 +86,7 @@ std::string summary(const StageName& stage, Simulation& simulation, double start
                     double stepping, double energy_at_start, long long steps_at_start) {
   std::string line = stage.name + ": method=" + name_of(simulation.method());
   const auto say = [&line](const std::string& name, double value) {
+    if (!std::isfinite(value)) return;  // beyond what a double can hold: better no number
     line += " " + name + "=" + to_rounded_text(value, 4);
   };
   const long long steps = simulation.steps() - steps_at_start;
@@ -121,34 +123,33 @@ int run_headless(const StageName& stage, Simulation& simulation, const Options& 
   if (const std::string warning = step_warning(simulation); !warning.empty()) {
     std::cerr << stage.name << ": warning: " << warning << "\n";
   }
-  interrupted = false;
-  std::signal(SIGINT, on_interrupt);
+  catch_interrupts();
 
   const double start = simulation.time();
   const double energy_at_start = simulation.energy().total();
   const long long steps_at_start = simulation.steps();
   const Clock::time_point begin = Clock::now();
   double stepping = 0;
-  // So many steps at a time take a second at most (up to 1e4 balls), so that Ctrl-C is heard.
-  const auto balls = static_cast<double>(simulation.balls());
-  const double stride = balls > 1 ? std::max(1.0, 1e6 / balls) : 1e7;
   const auto advance = [&](double t) {
-    while (simulation.time() < t && !interrupted) {
-      const Clock::time_point now = Clock::now();
-      simulation.advance_to(std::min(t, simulation.time() + stride * simulation.dt()));
-      stepping += seconds_since(now);
+    const Clock::time_point now = Clock::now();
+    while (!interrupted() && !simulation.advance_some(t)) {
     }
+    stepping += seconds_since(now);
   };
 
   try {
     if (trace) {
       RowTimes rows(options, start);
-      for (auto t = rows.next(simulation); t && !interrupted; t = rows.next(simulation)) {
+      for (auto t = rows.next(simulation); t && !interrupted(); t = rows.next(simulation)) {
         advance(*t);
         if (simulation.time() == *t) trace->write(simulation);
       }
     }
     advance(options.duration);
+  } catch (const MachineFailure&) {
+    throw;
+  } catch (const BadInput&) {
+    throw;
   } catch (...) {
     if (trace) trace->finish();  // the rows up to the last good state tell what happened
     throw;
@@ -158,7 +159,7 @@ int run_headless(const StageName& stage, Simulation& simulation, const Options& 
   std::cerr << summary(stage, simulation, start, seconds_since(begin), stepping, energy_at_start,
                        steps_at_start)
             << "\n";
-  if (!interrupted) return exit_ok;
+  if (!interrupted()) return exit_ok;
   std::cerr << stage.name << ": interrupted at t = " << to_rounded_text(simulation.time(), 6)
             << " s; what was computed until then is kept\n";
   return exit_interrupted;

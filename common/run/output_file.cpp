@@ -7,9 +7,23 @@
 
 #include "physics/text.hpp"
 
+#ifdef _WIN32
+#include <process.h>
+#else
+#include <unistd.h>
+#endif
+
 namespace bounce {
 
 namespace fs = std::filesystem;
+
+static int process_id() {
+#ifdef _WIN32
+  return _getpid();
+#else
+  return getpid();
+#endif
+}
 
 OutputFile::OutputFile(std::string option, const std::string& path)
     : option_(std::move(option)), path_(path), part_(path) {
@@ -24,8 +38,12 @@ OutputFile::OutputFile(std::string option, const std::string& path)
     throw BadInput(option_ + " '" + path + "' is not allowed: it must be the path of a file");
   }
   const bool direct = fs::exists(target) && !fs::is_regular_file(target);
-  part_ = direct ? path_ : path_ + ".part";
-  file_ = std::fopen(part_.c_str(), "wb");
+  part_ = direct ? path_ : path_ + "." + std::to_string(process_id()) + ".part";
+  // A file that is there must be one that may be changed, though it is replaced in the end.
+  std::FILE* old = direct || !fs::exists(target) ? nullptr : std::fopen(path_.c_str(), "ab");
+  const bool refused = fs::exists(target) && !direct && old == nullptr;
+  if (old != nullptr) std::fclose(old);
+  file_ = refused ? nullptr : std::fopen(part_.c_str(), "wb");
   if (file_ == nullptr) {
     throw BadInput(option_ + " '" + path + "' cannot be written (" + std::strerror(errno) +
                    "): it must be a file in a folder that exists and that you may write to");
@@ -57,6 +75,8 @@ void OutputFile::finish() {
   if (std::fclose(file) != 0) fail();
   if (part_ == path_) return;
   std::error_code error;
+  const fs::perms old_permissions = fs::status(path_, error).permissions();
+  if (!error && fs::exists(path_)) fs::permissions(part_, old_permissions, error);
   fs::rename(part_, path_, error);
   if (error) fail();
 }

@@ -12,8 +12,8 @@ struct MachineFailure : std::runtime_error {
 };
 
 /// A file that appears under its name only when it is complete: it is written beside the target as
-/// NAME.part and renamed by `finish`; without `finish` nothing stays behind. A target that is no
-/// regular file (a device, a pipe) is written directly, and "-" is standard output.
+/// NAME.<process>.part and renamed by `finish`; without `finish` nothing stays behind. A target
+/// that is no regular file (a device, a pipe) is written directly, and "-" is standard output.
 class OutputFile {
  public:
   /// `option` is what the user gave the path to, for messages ("--csv"). Throws BadInput when the

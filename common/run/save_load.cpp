@@ -1,6 +1,7 @@
 #include "run/save_load.hpp"
 
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -40,6 +41,7 @@ double number_of(const std::string& path, const Lines& lines, const std::string&
 }
 
 Lines read_lines(const std::string& path) {
+  if (!std::filesystem::is_regular_file(path)) refuse(path, "it is no file that can be read");
   std::ifstream file(path, std::ios::binary);
   std::stringstream content;
   if (!file || !(content << file.rdbuf())) refuse(path, "it cannot be read");
@@ -94,7 +96,6 @@ void load_state(const std::string& path, const StageName& stage, Simulation& sim
     parameter.set(found->second);
   }
   if (!lines.count("method") || !lines.count("numbers")) refuse(path, "it is not complete");
-  simulation.use_method(find_method(lines.at("method"), simulation.methods()));
 
   Simulation::Memory memory{number_of(path, lines, "time"),
                             number_of(path, lines, "dt"),
@@ -108,7 +109,12 @@ void load_state(const std::string& path, const StageName& stage, Simulation& sim
     if (!value) refuse(path, "its state is not all numbers");
     memory.numbers.push_back(*value);
   }
-  simulation.recall(memory);
+  try {
+    simulation.use_method(find_method(lines.at("method"), simulation.methods()));
+    simulation.recall(memory);
+  } catch (const BadInput& error) {
+    refuse(path, error.what());
+  }
 }
 
 }  // namespace bounce

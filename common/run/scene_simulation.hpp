@@ -31,9 +31,10 @@ class SceneSimulation final : public Simulation {
 
   /// What the exact solution says at `t`, from the last start or change of parameters on; `t` may
   /// lie a little before the simulation's time, for a smooth picture. Empty where the solution's
-  /// events no longer advance time.
+  /// events no longer advance time, or are too many to follow.
   std::optional<State<Vector>> exact_state(double t) const {
     try {
+      if (!truth_.reach(t, most_events_of_truth)) return std::nullopt;
       const State<Vector> exact = truth_.at(std::max(t, truth_.last_event()));
       if (all_finite(exact)) return exact;
     } catch (const TimeStandsStill&) {
@@ -96,6 +97,7 @@ class SceneSimulation final : public Simulation {
   }
   void parameters_changed() override {
     walker_ = Walker(Exact(scene_), time(), state_);
+    if (method() == Method::exact) walker_.reach(time(), 1);  // a start on the touch begins with it
     located_ = Located(Exact(scene_), time(), state_);
     verlet_.acceleration.reset();
     compare_from_here();
@@ -163,7 +165,11 @@ class SceneSimulation final : public Simulation {
     }
   }
 
-  void move_exactly_to(double t) override { state_ = walker_.at(t); }
+  double move_exactly_towards(double t, long long most_events) override {
+    const double reached = walker_.reach(t, most_events) ? t : walker_.last_event();
+    state_ = walker_.at(reached);
+    return reached;
+  }
 
   bool is_finite() const override { return all_finite(state_); }
 
@@ -253,6 +259,8 @@ class SceneSimulation final : public Simulation {
       if (keep_book_) book(now, before, state_, dt);
     }
   }
+  // A comparison is worth a second or two, not an hour.
+  static constexpr long long most_events_of_truth = 10000000;
   static constexpr std::size_t dimensions = sizeof(Vector) / sizeof(double);
 
   Energy energy_of(const State<Vector>& state) const {

@@ -31,15 +31,26 @@ void Simulation::restart() {
 double Simulation::time_of_next_step() const { return grid_time(grid_steps_ + 1); }
 
 void Simulation::advance_to(double t) {
-  if (method_ == Method::exact) {
-    move_exactly_to(t);
-    if (!is_finite()) throw NonFinite(time_);
-    time_ = t;
-    return;
+  while (!advance_some(t)) {
   }
+}
+
+bool Simulation::advance_some(double t) {
+  if (method_ == Method::exact) {
+    const double reached = move_exactly_towards(t, 1000000);
+    if (!is_finite()) throw NonFinite(time_);
+    time_ = reached;
+    return reached == t;
+  }
+  const long long steps = std::max(1LL, 10000000LL / static_cast<long long>(balls()));
+  take_steps_to(std::min(t, grid_time(grid_steps_ + steps)));
+  return time_ >= t;
+}
+
+void Simulation::take_steps_to(double t) {
   // A target this close to a step's end (in steps) *is* the step's end: n dt is not exact.
   const double n_target = (t - grid_start_) / dt_;
-  const double tolerance = 1e-9 + 4e-16 * std::abs(n_target);
+  const double tolerance = 8e-16 * (std::abs(t) + std::abs(grid_start_)) / dt_;
 
   if (into_step_ > 0) {  // finish the step that was cut
     const double rest = dt_ - into_step_;
@@ -97,6 +108,14 @@ Simulation::Memory Simulation::memory() const {
 }
 
 void Simulation::recall(const Memory& memory) {
+  const double grid_time =
+      memory.grid_start + static_cast<double>(memory.grid_steps) * memory.dt + memory.into_step;
+  const bool makes_sense = memory.dt >= 1e-15 && memory.dt <= 1e15 && memory.time >= 0 &&
+                           memory.grid_start >= 0 && memory.grid_steps >= 0 && memory.steps >= 0 &&
+                           memory.into_step >= 0 && memory.into_step < memory.dt &&
+                           (method_ == Method::exact || std::abs(grid_time - memory.time) <=
+                                                            1e-6 * memory.dt + 1e-12 * grid_time);
+  if (!makes_sense) throw BadInput("its clock makes no sense");
   time_ = memory.time;
   dt_ = memory.dt;
   grid_start_ = memory.grid_start;
@@ -104,7 +123,7 @@ void Simulation::recall(const Memory& memory) {
   grid_steps_ = memory.grid_steps;
   steps_ = memory.steps;
   if (!recall_numbers(memory.numbers)) {
-    throw BadInput("the saved state does not fit this stage and method");
+    throw BadInput("its state does not fit this stage and method");
   }
   compare_from_here();
 }

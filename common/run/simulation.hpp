@@ -78,6 +78,9 @@ class Simulation {
   // shortened to land there, and its rest follows. Throws NonFinite, and leaves the last good
   // state.
   void advance_to(double t);
+  /// The same in portions of about a second at most, so that one can be heard in between. Returns
+  /// whether it has arrived.
+  bool advance_some(double t);
   void advance_one_step() { advance_to(time_of_next_step()); }
   double time_of_next_step() const;
 
@@ -110,13 +113,15 @@ class Simulation {
   virtual void reset_state() = 0;        // to the scene's start
   virtual void compare_from_here() = 0;  // exact solution and energy book start anew
   virtual void take_steps(long long count, double t, double dt) = 0;
-  virtual void move_exactly_to(double t) = 0;
+  /// Passes at most so many events. Returns the time that it has reached.
+  virtual double move_exactly_towards(double t, long long most_events) = 0;
   virtual bool is_finite() const = 0;
   virtual std::vector<double> numbers() const = 0;
   virtual bool recall_numbers(const std::vector<double>& numbers) = 0;
 
  private:
   void start_grid_here();
+  void take_steps_to(double t);
   void take_checked_steps(long long count, double t, double dt);
   double grid_time(long long n) const { return grid_start_ + static_cast<double>(n) * dt_; }
 

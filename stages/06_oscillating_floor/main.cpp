@@ -9,6 +9,7 @@
 #include "bifurcation_picture.hpp"
 #include "exact.hpp"
 #include "oscillating_floor.hpp"
+#include "run/interrupt.hpp"
 #include "run/output_file.hpp"
 #include "run/scene_simulation.hpp"
 #include "steady_hand.hpp"
@@ -65,7 +66,9 @@ static std::optional<int> sweep(Simulation& simulation, const Options& options, 
   if (csv) csv->write(sweep.name + ",phase,height\n");
   const auto begin = std::chrono::steady_clock::now();
   std::vector<SweepRow> rows;
+  catch_interrupts();
   for (const double value : sweep.values) {
+    if (interrupted()) break;  // the rows until then are kept
     parameter.set(to_text(value));
     for (const Bounce& bounce : settled_bounces(scene, discarded, kept)) {
       rows.push_back({value, bounce.phase, bounce.height});
@@ -90,7 +93,7 @@ static std::optional<int> sweep(Simulation& simulation, const Options& options, 
   std::cerr << demo.stage.name << ": sweep of " << sweep.name << " values=" << sweep.values.size()
             << " bounces_kept=" << rows.size() << " wall_s=" << to_rounded_text(wall.count())
             << "\n";
-  return exit_ok;
+  return interrupted() ? exit_interrupted : exit_ok;
 }
 
 int main(int argc, char** argv) {

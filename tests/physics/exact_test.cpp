@@ -165,3 +165,30 @@ TEST_CASE("events that do not advance time end the walk instead of hanging") {
   EventDriven<Stuck> walker(Stuck{}, 1, {0, 0});
   CHECK_THROWS_AS(walker.at(2), TimeStandsStill);
 }
+
+TEST_CASE("a spring that is far too soft to carry the ball is no trap") {
+  // The spring of k = 1e-30 N/m would carry the ball 1e31 m below the floor: a formula that
+  // measures from there has no digit left for the ball. Until it has sunk far, the ball just falls
+  // on, braked by the damper alone: v' = -g - c v.
+  for (const double k : {1e-30, 1e-12, 1e-6}) {
+    for (const double c : {0.0, 1e-3, 1.0, 40.0}) {
+      const ReferenceValue ball{1, 9.81, 0.1, k, c, ContactLaw::slides, 1, 0, 0, 0, 0};
+      Walker walker = start(ball);
+      walker.pass_event();
+      const double touch = walker.last_event(), v0 = walker.state_at_last_event().velocity;
+      for (const double t : {1e-3, 0.1, 0.7}) {
+        const double share = c > 0 ? -std::expm1(-c * t) / c : t;  // int exp(-c t)
+        const double fall = c > 0 ? (t - share) / c : t * t / 2;
+        const State<double> now = walker.at(touch + t);
+        CAPTURE(k);
+        CAPTURE(c);
+        CAPTURE(t);
+        // The spring's own part is k d t^2 / 2m, with d below 4 m; the rest is rounding, of which
+        // (t - share) / c has 1 / (c t) in relative size.
+        const double rounding = 1e-14 * (1 + (c > 0 ? 1 / (c * t) : 0));
+        CHECK(std::abs(now.position - (0.1 + v0 * share - 9.81 * fall)) < 2 * k + rounding);
+        CHECK(std::abs(now.velocity - (v0 - (9.81 + c * v0) * share)) < 4 * k + rounding);
+      }
+    }
+  }
+}

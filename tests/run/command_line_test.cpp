@@ -331,3 +331,59 @@ TEST_CASE("an interrupted run keeps what was computed, and ends with exit code 1
   CHECK(lines(test::read_file(test::work_folder() + "/out.csv")).size() > 2);
   CHECK(files() == std::vector<std::string>{"out.csv", "state"});
 }
+
+TEST_CASE("exact: a start on the touch gives a few rows, not the same one without end") {
+  for (const std::string start :
+       {"02_spring_floor --set position=0.1 --set velocity=-1", "03_damping --set position=0.1",
+        "04_three_dimensions --set position=0,0.1,0",
+        "06_oscillating_floor --set position=0.1 --set amplitude=0",
+        "03_damping --set position=0.1 --set gravity=0"}) {
+    const Outcome run =
+        test::run_program_with("timeout 10", start + " --method exact --csv - --duration 0.02");
+    CAPTURE(start);
+    CHECK(run.code == 0);
+    CHECK(lines(run.out).size() >= 3);
+    CHECK(lines(run.out).size() < 10);
+  }
+}
+
+TEST_CASE("a step that is longer than the run is shortened to its end") {
+  const Outcome run = run_program("01_free_fall --dt 1e10 --csv - --at 1 --duration 5");
+  CHECK(lines(run.out).back() == "1,-4.8100000000000005,-9.81");  // one step of 1 s
+  CHECK(contains(run.err, "steps=2"));
+}
+
+TEST_CASE("exact does not look at the time step") {
+  const Outcome run =
+      test::run_program_with("timeout 10", "03_damping --headless --method exact --dt 1e-15");
+  CHECK(run.code == 0);
+  CHECK(contains(run.err, "simulated_s=10"));
+}
+
+TEST_CASE("a run whose exact solution has a billion events ends without the comparison") {
+  const Outcome run =
+      test::run_program_with("timeout 20", "02_spring_floor --headless --dt 1000 --duration 3e9");
+  CHECK(run.code == 0);
+  CHECK(!contains(run.err, "position_error"));
+}
+
+TEST_CASE("two outputs in one file are refused") {
+  for (const std::string options :
+       {"--csv a --save ./a", "--csv a.png --screenshot a.png", "--record a.gif --save a.gif"}) {
+    const Outcome run = run_program("03_damping --headless --duration 0.1 " + options);
+    CAPTURE(options);
+    CHECK(run.code == 2);
+    CHECK(contains(run.err, "the same file"));
+    CHECK(files().empty());
+  }
+}
+
+TEST_CASE("a trace that does not fit on the disk leaves the old one as it was") {
+  const std::string path = std::filesystem::temp_directory_path() / "bounce_limited_trace.csv";
+  std::ofstream(path) << "precious";
+  const Outcome run =
+      test::run_program_with("trap '' XFSZ; ulimit -f 16;", "03_damping --headless --csv " + path);
+  CHECK(run.code == 1);
+  CHECK(test::read_file(path) == "precious");
+  std::filesystem::remove(path);
+}
