@@ -1,5 +1,6 @@
 #include "app/imgui_canvas.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -23,16 +24,53 @@ ImDrawList& list() { return *ImGui::GetBackgroundDrawList(); }
 
 int segments(float radius) { return std::max(16, static_cast<int>(4 * std::sqrt(8 * radius))); }
 
+/// A ball lit from the upper left, with an outline and smooth edges, as `size` x `size` pixels of
+/// red, green, blue, alpha with rows `stride` pixels apart.
+void paint_ball(std::uint32_t* pixels, int stride, int size) {
+  const double radius = size / 2.0;
+  for (int row = 0; row < size; ++row) {
+    for (int column = 0; column < size; ++column) {
+      const double x = (column + 0.5 - radius) / radius, y = (row + 0.5 - radius) / radius;
+      const double from_centre = std::hypot(x, y);
+      const double height = std::sqrt(std::max(0.0, 1 - from_centre * from_centre));
+      const double light = std::max(0.0, -0.45 * x - 0.55 * y + 0.70 * height);
+      double grey = 150 + 105 * light;
+      // The outline: 1.5 px of ink, less on small balls, which would be all outline.
+      const double width = std::min(1.5, 0.12 * size);
+      const double outline = std::clamp(from_centre * radius - (radius - width), 0.0, 1.0);
+      grey += (60 - grey) * outline;
+      const double inside = std::clamp((1 - from_centre) * radius + 0.5, 0.0, 1.0);
+      pixels[row * stride + column] =
+          IM_COL32(static_cast<int>(grey), static_cast<int>(grey), static_cast<int>(grey),
+                   static_cast<int>(255 * inside));
+    }
+  }
+}
+
 }  // namespace
 
 void ImGuiCanvas::load_fonts() {
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  load_fonts_into(atlas);
+  for (std::size_t i = 0; i < ball_sizes.size(); ++i) {
+    ball_pictures_[i] = atlas.AddCustomRectRegular(ball_sizes[i], ball_sizes[i]);
+  }
+  unsigned char* pixels = nullptr;
+  int width = 0, height = 0;
+  atlas.GetTexDataAsRGBA32(&pixels, &width, &height);  // lays everything out
+  for (std::size_t i = 0; i < ball_sizes.size(); ++i) {
+    const ImFontAtlasCustomRect& place = *atlas.GetCustomRectByIndex(ball_pictures_[i]);
+    paint_ball(atlas.TexPixelsRGBA32 + place.Y * width + place.X, width, ball_sizes[i]);
+  }
+}
+
+void ImGuiCanvas::load_fonts_into(ImFontAtlas& atlas) {
   static constexpr const char* candidates[] = {
       "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",    // Debian, Ubuntu
       "/usr/share/fonts/TTF/DejaVuSans.ttf",                // Arch
       "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",  // Fedora
       "/System/Library/Fonts/Supplemental/Arial.ttf",       // macOS
       "C:/Windows/Fonts/segoeui.ttf"};
-  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   static constexpr float sizes[] = {13, 16, 18};
   ImFontConfig crisp;
   crisp.OversampleH = crisp.OversampleV = 1;
@@ -65,6 +103,19 @@ void ImGuiCanvas::circle(Point centre, float radius, Colour colour, float width)
 
 void ImGuiCanvas::disc(Point centre, float radius, Colour colour) {
   list().AddCircleFilled(to_imgui(centre), radius, to_imgui(colour), segments(radius));
+}
+
+void ImGuiCanvas::ball(Point centre, float radius, Colour tint) {
+  // Whole pixels: then SDL's software renderer copies the picture, instead of drawing triangles.
+  const float size = std::max(3.0f, std::round(2 * radius));
+  std::size_t n = 0;
+  while (n + 1 < ball_sizes.size() && static_cast<float>(ball_sizes[n]) < size) ++n;
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  ImVec2 from, to;
+  atlas.CalcCustomRectUV(atlas.GetCustomRectByIndex(ball_pictures_[n]), &from, &to);
+  const ImVec2 corner{std::round(centre.x - size / 2), std::round(centre.y - size / 2)};
+  list().AddImage(atlas.TexID, corner, {corner.x + size, corner.y + size}, from, to,
+                  to_imgui(tint));
 }
 
 void ImGuiCanvas::text(Point at, std::string_view words, Colour colour, Align align,

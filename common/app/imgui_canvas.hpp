@@ -12,7 +12,8 @@ namespace bounce {
 /// those of SDL_Renderer are not.
 class ImGuiCanvas final : public Canvas {
  public:
-  /// One font per TextSize; built-in ones where DejaVu Sans is not on the system.
+  /// One font per TextSize; built-in ones where DejaVu Sans is not on the system. Also draws the
+  /// pictures of balls, which share the fonts' texture.
   void load_fonts();
 
   void line(std::span<const Point> points, Colour colour, float width) override;
@@ -20,12 +21,18 @@ class ImGuiCanvas final : public Canvas {
   void circle(Point centre, float radius, Colour colour, float width) override;
   void disc(Point centre, float radius, Colour colour) override;
   void text(Point at, std::string_view words, Colour colour, Align align, TextSize size) override;
+  void ball(Point centre, float radius, Colour tint) override;
   float text_width(std::string_view words, TextSize size) const override;
   void push_clip(Rect area) override;
   void pop_clip() override;
 
  private:
+  void load_fonts_into(ImFontAtlas& atlas);
+
   std::array<ImFont*, 3> fonts_{};
+  // Balls of these diameters [px]; the next larger one is drawn smaller.
+  static constexpr std::array<int, 9> ball_sizes{8, 11, 16, 22, 32, 45, 64, 90, 128};
+  std::array<int, ball_sizes.size()> ball_pictures_{};  // in the texture
 };
 
 /// Dear ImGui on SDL_Renderer. The library ships a backend of its own, but not in every package

@@ -151,9 +151,9 @@ void Panel::draw_parameter(Player& player, View& view, const Parameter& paramete
     ImGui::TextColored(colour(palette::exact), "%s", parameter.unit.c_str());
   } else {
     double value = **std::get_if<double*>(&parameter.value);
-    if (slide(parameter.name.c_str(), value, parameter.slider) && parameter.allows({&value, 1})) {
-      apply(to_text(value));
-    }
+    const bool moved = slide(parameter.name.c_str(), value, parameter.slider);
+    if (parameter.is_whole) value = std::round(value);
+    if (moved && parameter.allows({&value, 1})) apply(to_text(value));
     note_slider(player, view);
     ImGui::SameLine();
     ImGui::TextColored(colour(palette::exact), "%s", parameter.unit.c_str());
@@ -239,7 +239,7 @@ void Panel::draw_method(Player& player, View& view) {
 void Panel::measure_cost(const Player& player) {
   const std::unique_ptr<Simulation> copy = player.simulation().clone();
   copy->keep_energy_book(false);
-  constexpr int steps = 20000;
+  const double steps = std::max(10.0, 20000 / static_cast<double>(copy->balls()));
   const auto begin = std::chrono::steady_clock::now();
   try {
     copy->advance_to(copy->time() + steps * copy->dt());

@@ -16,6 +16,9 @@ constexpr double longest_frame = 0.1;         // s of the clock that one frame m
 constexpr double frame_budget = 0.012;        // s of computing in one frame
 constexpr std::size_t trace_length = 60 * 240;
 constexpr std::size_t past_length = 60 * 60;
+// With many balls less is remembered: so many numbers of the trace, and of the copies for
+// scrubbing.
+constexpr std::size_t trace_numbers = 4'000'000, past_numbers = 4'000'000;
 constexpr double lens_contact_time = 1.0;  // s on the clock that a contact takes in the lens
 
 }  // namespace
@@ -36,6 +39,12 @@ TracePoint Player::point(const Simulation& simulation) {
 void Player::remember() {
   trace_.push_back(point(*simulation_));
   if (trace_.size() > trace_length) trace_.pop_front();
+  // Older points keep time and energy for the plots, but no positions.
+  const std::size_t with_values =
+      std::max<std::size_t>(100, trace_numbers / trace_.back().values.size());
+  if (trace_.size() > with_values) {
+    std::vector<double>().swap(trace_[trace_.size() - 1 - with_values].values);
+  }
 }
 
 void Player::forget_after(double t) {
@@ -47,7 +56,8 @@ void Player::frame(double real_seconds) {
   current_rate_ = rate;
   if (paused || !trouble_.empty()) return;
   past_.push_back(simulation_->clone());
-  if (past_.size() > past_length) past_.pop_front();
+  const std::size_t copies = past_numbers / trace_.back().values.size();
+  while (past_.size() > std::clamp<std::size_t>(copies, 10, past_length)) past_.pop_front();
 
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
@@ -99,7 +109,7 @@ std::vector<double> Player::shown_values() const {
   const TracePoint& before = trace_[trace_.size() - 2];
   const TracePoint& after = trace_.back();
   const double span = after.t - before.t;
-  if (!(span > 0) || shown_time_ >= after.t) return values;
+  if (!(span > 0) || shown_time_ >= after.t || before.values.empty()) return values;
   const double share = std::clamp((shown_time_ - before.t) / span, 0.0, 1.0);
   for (std::size_t i = 0; i < values.size(); ++i) {
     values[i] = before.values[i] + share * (after.values[i] - before.values[i]);
@@ -135,7 +145,9 @@ void Player::go_back_to(double t) {
   simulation_ = past_.back()->clone();
   past_.pop_back();
   forget_after(simulation_->time());
-  if (trace_.empty() || trace_.back().t < simulation_->time()) remember();
+  if (trace_.empty() || trace_.back().t < simulation_->time() || trace_.back().values.empty()) {
+    remember();
+  }
   shown_time_ = simulation_->time();
   if (past_.empty()) past_.push_back(simulation_->clone());
   if (t > simulation_->time() + tolerance) {
@@ -181,7 +193,8 @@ std::vector<TracePoint> Player::future(double seconds) const {
   try {
     const bool exact = ahead->method() == Method::exact;
     const double stride = exact ? trace_interval : std::max(ahead->dt(), trace_interval);
-    constexpr double most_steps = 2e5;  // about a millisecond
+    // About a millisecond for one ball, and with many not much longer.
+    const double most_steps = 2e5 / static_cast<double>(ahead->balls());
     const double reach = exact ? end : std::min(end, ahead->time() + most_steps * ahead->dt());
     while (ahead->time() < reach && points.size() < 4000) {
       points.push_back(point(*ahead));

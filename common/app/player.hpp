@@ -12,7 +12,7 @@ namespace bounce {
 /// One moment of a run, as the pictures and plots need it.
 struct TracePoint {
   double t;                    // s
-  std::vector<double> values;  // as in the CSV trace, without t
+  std::vector<double> values;  // as in the CSV trace, without t; empty in old points of many balls
   std::vector<double> exact;   // the exact solution's; empty where there is none
   Energy energy;               // J
   double before;               // energy at the start of the book [J]

@@ -38,6 +38,7 @@ class Window {
   View& view() { return view_; }
   Pixels pixels() const { return pixels_; }  // of the last frame, where `keep_pixels` was asked for
   bool keep_pixels = false;
+  void resize(int width, int height) { SDL_SetWindowSize(window_, width, height); }
 
  private:
   void handle(const SDL_Event& event);

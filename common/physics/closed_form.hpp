@@ -52,6 +52,12 @@ struct PhaseEnd {
   State<double> arrival = {never, 0};  // filled in by BouncePhases only
 };
 
+/// A function of time that is positive while a touch lasts, with its slope [per second].
+struct Lasting {
+  double value;
+  double slope;
+};
+
 /// Each phase of a ball above a level floor at height 0, in closed form. It serves every stage in
 /// which a ball meets one fixed surface; EventDriven (event_driven.hpp) walks through the phases.
 class BouncePhases {
@@ -96,7 +102,39 @@ class BouncePhases {
     return state;
   }
 
+  // ---- For methods that step but locate events (located_events.hpp)
+
+  /// The law of a phase, smooth across its end [m/s^2].
+  double acceleration(Phase phase, const State<double>& state) const {
+    if (phase != Phase::touch) return -gravity_;
+    return oscillator_.acceleration(from_rest_height(state));
+  }
+
+  /// What tells that a touch lasts: the overlap, or, for a contact that only pushes, its force.
+  Lasting touch_lasts(const State<double>& state) const {
+    const double overlap = radius_ - state.position, v = state.velocity;
+    if (after_touch() == Phase::flight) return {overlap, -v};
+    const double k = contact_.stiffness, c = contact_.damping;
+    return {k * overlap - c * v, -k * v - c * acceleration(Phase::touch, state)};
+  }
+  Phase after_touch() const {
+    const bool slides = contact_.law == ContactLaw::slides || contact_.damping == 0;
+    return slides ? Phase::flight : Phase::let_go;
+  }
+
+  /// A bound on the second derivative of that function, from a touch's start to its end. Overlap
+  /// and force are solutions x of the oscillator, plus a constant; v^2 + omega0^2 x^2 never grows.
+  double max_bend(const State<double>& start) const {
+    const State<double> x = from_rest_height(start);
+    return oscillator_.largest_acceleration(after_touch() == Phase::flight ? x : pull(x));
+  }
+
  private:
+  /// k x + c x', the force but for the weight, and its rate.
+  State<double> pull(const State<double>& x) const {
+    const double k = contact_.stiffness, c = contact_.damping;
+    return {k * x.position + c * x.velocity, k * x.velocity + c * oscillator_.acceleration(x)};
+  }
   State<double> from_rest_height(const State<double>& state) const {
     return {state.position - radius_ + sag_, state.velocity};
   }
@@ -134,9 +172,7 @@ inline PhaseEnd BouncePhases::end_of_touch(const State<double>& start) const {
   }
   // The force is m g - (k x + c x'). The bracket, a sum of solutions of the oscillator, is itself
   // a solution: so the force is gone when *that* oscillator has risen to the weight.
-  const double acceleration = -k / mass_ * x.position - c / mass_ * v;
-  const State<double> pull{k * x.position + c * v, k * v + c * acceleration};
-  const Crossing gone = oscillator_.rise(pull, mass_ * gravity_);
+  const Crossing gone = oscillator_.rise(pull(x), mass_ * gravity_);
   // Then x'' = -g, and pull' = k x' - c g tells the velocity; spring and damper are in balance.
   const double velocity = (gone.velocity + c * gravity_) / k;
   return {gone.t, Phase::let_go, {radius_ - c * velocity / k, velocity}};

@@ -41,10 +41,16 @@ class DampedOscillator {
   /// The first moment at which x comes up through `level`. Needs a start at or below `level`.
   Crossing rise(const State<double>& start, double level) const;
 
- private:
   double acceleration(const State<double>& now) const {
     return -2 * beta_ * now.velocity - omega0_squared_ * now.position;
   }
+
+  /// No acceleration will be larger than this [m/s^2]: v^2 + omega0^2 x^2 never grows.
+  double largest_acceleration(const State<double>& now) const {
+    return (2 * beta_ + omega0_) * std::hypot(now.velocity, omega0_ * now.position);
+  }
+
+ private:
   Crossing upward_zero(const State<double>& start) const;
   Crossing rise_below_rest(const State<double>& start, double level) const;
 

@@ -93,7 +93,8 @@ std::string summary(const StageName& stage, Simulation& simulation, double start
   say("wall_s", wall);
   line += " steps=" + std::to_string(steps);
   const int each = force_evaluations_per_step(simulation.method());
-  line += " force_evaluations=" + std::to_string(steps * each);
+  const long long evaluations = steps * each + simulation.counted_force_evaluations();
+  line += " force_evaluations=" + std::to_string(evaluations);
   if (steps > 0) {
     const double ns = stepping / static_cast<double>(steps) * 1e9;
     say("ns_per_step", ns);

@@ -17,6 +17,10 @@ std::string name_of(Method method) {
       return "velocity-verlet";
     case Method::rk4:
       return "rk4";
+    case Method::rk4_events:
+      return "rk4-events";
+    case Method::flight_rk4:
+      return "flight-rk4";
     case Method::exact:
       break;
   }
@@ -27,6 +31,8 @@ int force_evaluations_per_step(Method method) {
   switch (method) {
     case Method::rk4:
       return 4;
+    case Method::rk4_events:
+    case Method::flight_rk4:
     case Method::exact:
       return 0;
     default:
@@ -42,6 +48,8 @@ double largest_stable_step(Method method, double omega0, double zeta) {
     case Method::velocity_verlet:
       return semi_implicit_euler_limit(zeta) / omega0;
     case Method::rk4:
+    case Method::rk4_events:
+    case Method::flight_rk4:
       return rk4_limit(zeta) / omega0;
     case Method::exact:
       break;

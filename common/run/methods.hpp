@@ -5,13 +5,23 @@
 namespace bounce {
 
 /// The ways to move time that a stage can offer. `exact` is no stepping method: it walks from event
-/// to event by formula.
-enum class Method { explicit_euler, semi_implicit_euler, velocity_verlet, rk4, exact };
+/// to event by formula. `rk4_events` and `flight_rk4` cut their steps at the events, and the latter
+/// does not step flights at all.
+enum class Method {
+  explicit_euler,
+  semi_implicit_euler,
+  velocity_verlet,
+  rk4,
+  rk4_events,
+  flight_rk4,
+  exact
+};
 
 /// The name on the command line: "semi-implicit-euler".
 std::string name_of(Method method);
 
-/// How often a step asks for the acceleration; 0 for `exact`, which never does.
+/// How often a step asks for the acceleration; 0 for `exact`, which never does, and for the methods
+/// that locate events, where it differs and is counted.
 int force_evaluations_per_step(Method method);
 
 /// The largest stable step [s] on a contact with these numbers; infinity for `exact`.

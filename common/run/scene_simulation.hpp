@@ -4,11 +4,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "physics/components.hpp"
 #include "physics/event_driven.hpp"
 #include "physics/integrators.hpp"
+#include "physics/located_events.hpp"
 #include "run/simulation.hpp"
 
 namespace bounce {
@@ -44,8 +46,15 @@ class SceneSimulation final : public Simulation {
   }
   std::vector<Parameter> parameters() override { return scene_.parameters(); }
   std::vector<Method> methods() const override {
-    return {Method::explicit_euler, Method::semi_implicit_euler, Method::velocity_verlet,
-            Method::rk4, Method::exact};
+    std::vector<Method> all{Method::explicit_euler, Method::semi_implicit_euler,
+                            Method::velocity_verlet, Method::rk4};
+    if (locates_events) all.insert(all.end(), {Method::rk4_events, Method::flight_rk4});
+    all.push_back(Method::exact);
+    return all;
+  }
+  long long counted_force_evaluations() const override {
+    if constexpr (locates_events) return located_.force_evaluations();
+    return 0;
   }
   std::vector<std::string> columns() const override {
     if constexpr (floor_moves) {
@@ -87,6 +96,7 @@ class SceneSimulation final : public Simulation {
   }
   void parameters_changed() override {
     walker_ = Walker(Exact(scene_), time(), state_);
+    located_ = Located(Exact(scene_), time(), state_);
     verlet_.acceleration.reset();
     compare_from_here();
   }
@@ -144,6 +154,10 @@ class SceneSimulation final : public Simulation {
         return loop(verlet_);
       case Method::rk4:
         return loop([](auto& s, double now, S& x, double h) { rk4(s, now, x, h); });
+      case Method::rk4_events:
+      case Method::flight_rk4:
+        if constexpr (locates_events) take_located_steps(count, t, dt);
+        return;
       case Method::exact:
         return;
     }
@@ -158,11 +172,18 @@ class SceneSimulation final : public Simulation {
     if (method() == Method::velocity_verlet && verlet_.acceleration) {
       append(all, *verlet_.acceleration);
     }
+    const auto append_phase = [&](double start, const State<Vector>& at_start, Phase phase) {
+      all.push_back(start);
+      append(all, at_start.position);
+      append(all, at_start.velocity);
+      all.push_back(static_cast<double>(phase));
+    };
     if (method() == Method::exact) {
-      all.push_back(walker_.last_event());
-      append(all, walker_.state_at_last_event().position);
-      append(all, walker_.state_at_last_event().velocity);
-      all.push_back(static_cast<double>(walker_.phase()));
+      append_phase(walker_.last_event(), walker_.state_at_last_event(), walker_.phase());
+    } else if (is_located()) {
+      if constexpr (locates_events) {
+        append_phase(located_.phase_start(), located_.state_at_phase_start(), located_.phase());
+      }
     }
     return all;
   }
@@ -177,11 +198,18 @@ class SceneSimulation final : public Simulation {
         verlet_.acceleration.reset();
         if (own == dimensions) verlet_.acceleration = vector_from(all, of_state);
         return own == 0 || own == dimensions;
+      case Method::rk4_events:
+      case Method::flight_rk4:
       case Method::exact: {
-        const double phase = all.back();
-        if (own != of_state + 2 || !(phase == 0 || phase == 1 || phase == 2)) return false;
-        walker_.resume(all[of_state], state_from(all, of_state + 1),
-                       static_cast<Phase>(static_cast<int>(phase)));
+        const double number = all.back();
+        if (own != of_state + 2 || !(number == 0 || number == 1 || number == 2)) return false;
+        const State<Vector> start = state_from(all, of_state + 1);
+        const auto phase = static_cast<Phase>(static_cast<int>(number));
+        if (method() == Method::exact) {
+          walker_.resume(all[of_state], start, phase);
+        } else if constexpr (locates_events) {
+          located_.resume(all[of_state], start, phase);
+        }
         return true;
       }
       default:
@@ -192,6 +220,39 @@ class SceneSimulation final : public Simulation {
  private:
   using Walker = EventDriven<Exact, Vector>;
   static constexpr bool floor_moves = requires(const Scene& scene) { scene.floor_height(0.0); };
+
+  // Does the closed form also tell what located events need?
+  static constexpr bool locates_events = requires(const Exact& exact, const State<Vector>& state) {
+    exact.touch_lasts(state);
+  };
+  struct NoLocatedEvents {
+    NoLocatedEvents(const Exact&, double, const State<Vector>&) {}
+  };
+  using Located = std::conditional_t<locates_events, LocatedEvents<Exact, Vector>, NoLocatedEvents>;
+  bool is_located() const {
+    return method() == Method::rk4_events || method() == Method::flight_rk4;
+  }
+
+  void take_located_steps(long long count, double t, double dt) {
+    const auto rk4_step = [](auto& law, double now, State<Vector>& x, double h) {
+      rk4(law, now, x, h);
+    };
+    for (long long i = 0; i < count; ++i) {
+      double now = t + static_cast<double>(i) * dt;
+      const State<Vector> before = state_;
+      if (method() == Method::rk4_events) {
+        located_(rk4_step, now, state_, dt);
+      } else {
+        if (!keep_book_) {  // whole steps of flight at a stroke
+          const long long skipped = located_.steps_in_flight(now, dt, count - 1 - i);
+          i += skipped;
+          now = t + static_cast<double>(i) * dt;
+        }
+        located_.with_flights_by_formula(rk4_step, now, state_, dt);
+      }
+      if (keep_book_) book(now, before, state_, dt);
+    }
+  }
   static constexpr std::size_t dimensions = sizeof(Vector) / sizeof(double);
 
   Energy energy_of(const State<Vector>& state) const {
@@ -252,6 +313,7 @@ class SceneSimulation final : public Simulation {
   State<Vector> state_ = scene_.start;
   VelocityVerlet<Vector> verlet_;
   Walker walker_{Exact(scene_), 0, state_};         // the movement, for `exact`
+  Located located_{Exact(scene_), 0, state_};       // for methods that step but locate events
   mutable Walker truth_{Exact(scene_), 0, state_};  // what all others are compared with
   bool keep_book_ = false;
   double energy_before_ = 0;

@@ -48,7 +48,10 @@ class Simulation {
   double time() const { return time_; }  // [s]
   double dt() const { return dt_; }      // [s]
   Method method() const { return method_; }
-  long long steps() const { return steps_; }       // since the start, shortened ones too
+  long long steps() const { return steps_; }  // since the start, shortened ones too
+
+  /// Force evaluations besides the fixed number a step (methods.hpp): where events are located.
+  virtual long long counted_force_evaluations() const { return 0; }
   virtual std::vector<double> values() const = 0;  // one trace row (or more) without `t`
   virtual std::vector<double> exact_values(double t) const = 0;  // the exact solution's; or empty
   virtual Energy energy() const = 0;                             // [J]

@@ -33,6 +33,18 @@ struct ThreeDimensionsExact {
     return with_y(state, upwards.at_event(before, after, along_y(state)));
   }
 
+  // For methods that step but locate events
+  Eigen::Vector3d acceleration(Phase phase, const State<Eigen::Vector3d>& state) const {
+    return {0, upwards.acceleration(phase, along_y(state)), 0};
+  }
+  Lasting touch_lasts(const State<Eigen::Vector3d>& state) const {
+    return upwards.touch_lasts(along_y(state));
+  }
+  Phase after_touch() const { return upwards.after_touch(); }
+  double max_bend(const State<Eigen::Vector3d>& start) const {
+    return upwards.max_bend(along_y(start));
+  }
+
  private:
   static State<Eigen::Vector3d> sideways(const State<Eigen::Vector3d>& start, double t) {
     return {start.position + start.velocity * t, start.velocity};

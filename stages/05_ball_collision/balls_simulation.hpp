@@ -28,6 +28,7 @@ class BallsSimulation final : public Simulation {
   const Balls& state() const { return state_; }
   BallScene chosen_scene() const { return choice_.scene; }
   bool has_own_balls() const { return own_balls_ != nullptr; }
+  const std::shared_ptr<const Arrangement>& own_balls() const { return own_balls_; }
 
   /// Balls of the user's own, in place of a scene. `origin` is the file they came from.
   void use_balls(Arrangement balls, const std::string& origin);
@@ -159,12 +160,16 @@ inline std::vector<Parameter> BallsSimulation::parameters() {
   Parameter scene{"scene", "", "the balls at the start; it brings its own defaults of all others",
                   std::move(scenes)};
   scene.is_start = scene.chooses_defaults = true;
-  Parameter count{"count",   "",  "balls of break, cradle and drop", &choice_.count, {1, 1e7},
-                  {2, 1000}, true};
+  // What is worth playing with depends on the scene: [lowest, highest] of its sliders.
+  constexpr std::array<Range, 5> counts{{{2, 3}, {2, 56}, {2, 9}, {2, 3}, {2, 1000}}};
+  constexpr std::array<Range, 5> gaps{{{0, 0.25}, {0, 0.05}, {0, 0.01}, {0, 0.2}, {0, 0.1}}};
+  const auto chosen = static_cast<std::size_t>(choice_.scene);
+  Parameter count{"count",        "",  "balls of break, cradle and drop", &choice_.count, {1, 1e7},
+                  counts[chosen], true};
   count.is_whole = true;
   Parameter gap{
       "gap",        "m",      "between the balls at the start; in pair: how far off centre",
-      &choice_.gap, {0, 1e6}, {0, 0.25},
+      &choice_.gap, {0, 1e6}, gaps[chosen],
       true};
   Parameter floor_stiffness{"floor_stiffness",       "N/m",         "the same for floor and walls",
                             &scene_.floor_stiffness, {1e-30, 1e30}, {500, 1e5}};
@@ -270,8 +275,8 @@ inline void BallsSimulation::take_steps(long long count, double t, double dt) {
       return loop(verlet_);
     case Method::rk4:
       return loop([](S s, double now, Balls& x, double h) { rk4(s, now, x, h); });
-    case Method::exact:
-      return;
+    default:
+      return;  // the others need a closed form, and are not offered
   }
 }
 

@@ -25,6 +25,9 @@ struct Arrangement {
   }
 };
 
+/// Balls that "touch" are this far apart [m], so that no rounding makes an overlap of it.
+inline constexpr double hair = 1e-12;
+
 /// What a scene is made from.
 struct SceneChoice {
   BallScene scene = BallScene::pair;
@@ -49,7 +52,7 @@ inline Arrangement break_up(int count, double gap) {
   start.balls.position.row(1).setConstant(0.1);
   start.balls.position(0, 0) = -1;
   start.balls.velocity(0, 0) = 3;
-  const double spacing = 0.2 + gap;
+  const double spacing = 0.2 + hair + gap;
   int ball = 1;
   for (int row = 0; ball < count; ++row) {
     for (int place = 0; place <= row && ball < count; ++place, ++ball) {
@@ -65,7 +68,7 @@ inline Arrangement cradle(int count, double gap) {
   Arrangement start(count);
   start.balls.position.row(1).setConstant(0.1);
   for (int ball = 0; ball < count; ++ball) {
-    start.balls.position(0, ball) = (0.2 + gap) * (ball - (count - 1) / 2.0);
+    start.balls.position(0, ball) = (0.2 + hair + gap) * (ball - (count - 1) / 2.0);
   }
   start.balls.position(0, 0) -= 0.3;
   start.balls.velocity(0, 0) = 0.3;

@@ -37,6 +37,18 @@ struct TiltedPlaneExact {
     return above(foot_of(state), along_normal.at_event(before, after, normal_part(state)));
   }
 
+  // For methods that step but locate events
+  Eigen::Vector3d acceleration(Phase phase, const State<Eigen::Vector3d>& state) const {
+    return downhill + along_normal.acceleration(phase, normal_part(state)) * plane.normal;
+  }
+  Lasting touch_lasts(const State<Eigen::Vector3d>& state) const {
+    return along_normal.touch_lasts(normal_part(state));
+  }
+  Phase after_touch() const { return along_normal.after_touch(); }
+  double max_bend(const State<Eigen::Vector3d>& start) const {
+    return along_normal.max_bend(normal_part(start));
+  }
+
  private:
   /// Distance from the plane, and velocity away from it.
   State<double> normal_part(const State<Eigen::Vector3d>& state) const {

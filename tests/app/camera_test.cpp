@@ -27,6 +27,7 @@ struct Corners final : Canvas {
   void circle(Point, float, Colour, float) override {}
   void disc(Point, float, Colour) override {}
   void text(Point, std::string_view, Colour, Align, TextSize) override {}
+  void ball(Point, float, Colour) override {}
   float text_width(std::string_view, TextSize) const override { return 0; }
   void push_clip(Rect) override {}
   void pop_clip() override {}

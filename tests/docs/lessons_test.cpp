@@ -25,6 +25,25 @@ TEST_CASE("the lessons show what the code says and what the programs print") {
   }
 }
 
+TEST_CASE("every test that a page names is there") {
+  const fs::path root = BOUNCE_SOURCE_DIR;
+  const std::string names = run_program("physics_tests -ltc").out;
+  int found = 0;
+  for (const fs::path& file : lesson_files(root)) {
+    const std::string text = read_file((root / file).string());
+    const std::string quote = "`stage ";
+    for (std::size_t at = text.find(quote); at != std::string::npos;
+         at = text.find(quote, at + 1)) {
+      const std::string name = text.substr(at + 1, text.find('`', at + 1) - at - 1);
+      if (name.find(": ") == std::string::npos) continue;  // no test's name
+      INFO(file.string(), " names the test '", name, "'");
+      CHECK(names.find("\n" + name + "\n") != std::string::npos);
+      ++found;
+    }
+  }
+  CHECK(found > 10);
+}
+
 /// "./course play 3 --set damping=18" and "build/release/bin/03_damping --set damping=18" are both
 /// "03_damping --set damping=18"; empty for other commands.
 static std::string stage_command(std::string line) {

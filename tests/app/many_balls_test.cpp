@@ -1,0 +1,80 @@
+// The window with many balls: fast enough, and bounded in what it remembers.
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+
+#include "05_ball_collision/balls_picture.hpp"
+#include "05_ball_collision/balls_simulation.hpp"
+#include "app/window.hpp"
+
+using namespace bounce;
+
+namespace {
+
+std::unique_ptr<BallsSimulation> falling_balls(const std::string& count) {
+  auto balls = std::make_unique<BallsSimulation>();
+  find_parameter(balls->parameters(), "scene").set("drop");
+  find_parameter(balls->parameters(), "count").set(count);
+  balls->restart();
+  return balls;
+}
+
+Demo balls_demo() {
+  Demo demo;
+  demo.stage = {"05_ball_collision", "test"};
+  demo.question = "?";
+  demo.sliders = {"scene", "gap", "count"};
+  demo.make = [] { return std::make_unique<BallsSimulation>(); };
+  use_balls_picture(demo);
+  return demo;
+}
+
+}  // namespace
+
+TEST_CASE("1,000 balls: more than 30 frames a second in the software renderer") {
+  const Demo demo = balls_demo();
+  Window window(demo, falling_balls("1000"), Options{}, false);
+  window.resize(640, 360);
+  double drawing = 0, all = 0;
+  constexpr int frames = 90;  // 1.5 s: they have fallen and lie in the tray
+  for (int i = 0; i < frames; ++i) {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto since = [&] {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    };
+    window.tick(0);  // the picture alone (and a copy for scrubbing)
+    drawing += since();
+    window.tick(1.0 / 60);
+    all += since();
+  }
+  MESSAGE("ms a frame: ", (all - drawing) / frames * 1e3, ", of which the picture takes ",
+          drawing / frames * 1e3);
+#ifdef NDEBUG
+  CHECK((all - drawing) / frames < 1.0 / 30);
+#endif
+}
+
+TEST_CASE("what the player remembers of many balls is bounded, and scrubbing back still works") {
+  Player player(falling_balls("20000"));
+  const std::size_t row = 7 * 20000;
+  for (int i = 0; i < 12; ++i) player.frame(1e-3);
+  std::size_t numbers = 0;
+  for (const TracePoint& point : player.trace()) numbers += point.values.size();
+  CHECK(numbers <= 101 * row);
+  const double t = player.simulation().time();
+  player.go_back_to(t - 2e-3);
+  CHECK(player.simulation().time() < t);
+  CHECK(player.shown_values().size() == row);
+}
+
+TEST_CASE("the trace of many balls drops old positions, and keeps time and energy for the plots") {
+  Player player(falling_balls("5000"));  // 4e6 / 35000: the last 114 points keep their positions
+  for (int i = 0; i < 130; ++i) player.step_forward();
+  CHECK(player.trace().size() == 131);
+  CHECK(player.trace().front().values.empty());
+  CHECK(player.trace().front().energy.gravitational > 0);
+  CHECK(player.trace().back().values.size() == 35000);
+  player.go_back_to(player.earliest());
+  CHECK(player.shown_values().size() == 35000);
+}
