@@ -1,6 +1,8 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 
 #include "forced_oscillator.hpp"
 #include "oscillating_floor.hpp"
@@ -25,8 +27,10 @@ class OscillatingFloorExact {
         switched_(scene.floor_law == FloorLaw::slides),
         clamped_(scene.contact == ContactLaw::push_only && (scene.damping > 0 || switched_)),
         oscillator_(omega0_, beta_, w_) {
+    answer_ = 1.0 / Complex((omega0_ - w_) * (omega0_ + w_), 2 * beta_ * w_);
     begin(0);
     shaking_size_ = std::abs(shaking_);
+    steady_size_ = std::abs(steady_);
   }
 
   /// A phase begins at `t`; the times below count from here. The angle of the floor's swing is
@@ -38,6 +42,7 @@ class OscillatingFloorExact {
     height_ = scene_.floor_velocity * t;
     shaking_ =
         Complex(scene_.stiffness, relative_ ? scene_.damping * w_ : 0) * swing_ / scene_.mass;
+    steady_ = shaking_ * answer_;
   }
 
   Phase phase_at(const State<double>& state) const {
@@ -61,7 +66,7 @@ class OscillatingFloorExact {
   /// A ball can hover on the edge of a contact that pushes while gravity pulls it back in (`slides`
   /// and `absolute` do this): ever shorter hops, and no end. A thousand such hops in a row, each
   /// shorter than this, stop the run.
-  double shortest_phase() const { return 1e-3 / omega0_; }
+  double shortest_phase() const { return 1e-3 / std::max(omega0_, w_); }
 
  private:
   /// The floor's height [m] and its first three derivatives.
@@ -95,6 +100,8 @@ class OscillatingFloorExact {
   Touch touch_at(const State<double>& start, double t) const;
   Glimpse overlap_in_touch(const State<double>& start, double t) const;
   Glimpse push_in_touch(const State<double>& start, double t) const;
+  State<double> free_part(const State<double>& ball, double t, Complex turned) const;
+  double free_acceleration(const State<double>& free) const;
   bool stays(const State<double>& start) const;
 
   PhaseEnd end_of_flight(const State<double>& start) const;
@@ -124,11 +131,14 @@ class OscillatingFloorExact {
   bool switched_;  // the slides' switch: contact below y = r, wherever the floor is
   bool clamped_;   // push-only, where that makes a difference
   ForcedOscillator oscillator_;
+  Complex answer_;           // steady / shaking [s^2]
   double shaking_size_ = 0;  // m/s^2
+  double steady_size_ = 0;   // m
   // When the phase began:
   double height_ = 0;  // m, of the floor's steady movement
   Complex swing_;      // the floor's swing is Im(swing e^(i w t)) [m],
-  Complex shaking_;    // and what the oscillator feels of it, Im(shaking e^(i w t)) [m/s^2]
+  Complex shaking_;    // what the oscillator feels of it, Im(shaking e^(i w t)) [m/s^2],
+  Complex steady_;     // and its steady answer, Im(steady e^(i w t)) [m]; infinite at resonance
 };
 
 // ---- Movement -----------------------------------------------------------------------------------
@@ -183,17 +193,35 @@ inline PhaseEnd OscillatingFloorExact::end_of_flight(const State<double>& start)
 
 // ---- Contact ------------------------------------------------------------------------------------
 
-/// The ball's acceleration in contact, a = -g + push / m, is itself a solution of the oscillator,
-/// shaken by the floor's acceleration. So sqrt(a^2 + (a'/omega0)^2), like the energy of a spring,
-/// never grows but by what the shaking adds: that bounds everything for some time to come.
+/// The ball's acceleration in contact, a = -g + push / m, is itself a solution of the shaken
+/// oscillator: a steady swing with the floor, and a free one f that the damper lets die. The size
+/// of a free swing, sqrt(f^2 + (f'/omega0)^2), is like the energy of a spring and never grows, so
+/// that both together bound a for ever. Near resonance both are huge and cancel; there a better
+/// bound is that the size of a itself grows by no more than the shaking adds, for some time to
+/// come.
 struct OscillatingFloorExact::Touch {
   Floor floor;
   State<double> ball;
   double acceleration, jerk;  // m/s^2, m/s^3
-  double most;                // bounds |acceleration| for `window` seconds; |jerk| <= omega0 most
-  double shaking;             // bounds what shakes a [m/s^4]
+  double max[4];              // bounds of a and its first three derivatives for `window` seconds
   double window;              // s
 };
+
+/// The part of the movement that does not follow the floor: distance [m] and velocity [m/s].
+inline State<double> OscillatingFloorExact::free_part(const State<double>& ball, double t,
+                                                      Complex turned) const {
+  const Complex steady = steady_ * turned;
+  const double u = scene_.floor_velocity;
+  return {ball.position - rest_height() - u * t - steady.imag(),
+          ball.velocity - u - w_ * steady.real()};
+}
+
+/// The size of its acceleration f = -2 beta v - omega0^2 x [m/s^2].
+inline double OscillatingFloorExact::free_acceleration(const State<double>& free) const {
+  const double f = -2 * beta_ * free.velocity - omega0_ * omega0_ * free.position;
+  const double f_rate = -2 * beta_ * f - omega0_ * omega0_ * free.velocity;
+  return std::sqrt(f * f + f_rate * f_rate / (omega0_ * omega0_));
+}
 
 inline OscillatingFloorExact::Touch OscillatingFloorExact::touch_at(const State<double>& start,
                                                                     double t) const {
@@ -206,10 +234,28 @@ inline OscillatingFloorExact::Touch OscillatingFloorExact::touch_at(const State<
   now.jerk = (k * (now.floor.speed - now.ball.velocity) -
               c * (now.acceleration - (relative_ ? now.floor.acceleration : 0))) /
              m;
-  now.shaking = w_ * w_ * shaking_size_;
-  now.window = 1 / omega0_;
+  // a'' = shaking - 2 beta a' - omega0^2 a gives the bounds of the higher derivatives.
+  const double fast = omega0_ * (2 * beta_ + omega0_);
+  const double faster = 2 * beta_ * fast + omega0_ * omega0_ * omega0_;
+  const double shaking = w_ * w_ * shaking_size_, window = 1 / omega0_;
   const double a = now.acceleration, b = now.jerk / omega0_;
-  now.most = std::sqrt(a * a + b * b) + now.shaking * now.window / omega0_;
+  const double grown = std::sqrt(a * a + b * b) + shaking * window / omega0_;
+
+  const double steady = w_ * w_ * steady_size_;
+  const double free = free_acceleration(free_part(now.ball, t, turned));
+  if (steady + free < grown) {
+    now.window = never;
+    now.max[0] = steady + free;
+    now.max[1] = w_ * steady + omega0_ * free;
+    now.max[2] = w_ * w_ * steady + fast * free;
+    now.max[3] = w_ * w_ * w_ * steady + faster * free;
+  } else {
+    now.window = window;
+    now.max[0] = grown;
+    now.max[1] = omega0_ * grown;
+    now.max[2] = shaking + fast * grown;
+    now.max[3] = (w_ + 2 * beta_) * shaking + faster * grown;
+  }
   return now;
 }
 
@@ -218,9 +264,12 @@ inline Glimpse OscillatingFloorExact::overlap_in_touch(const State<double>& star
   const Floor still{};
   const Floor& floor = switched_ ? still : now.floor;
   const double most = switched_ ? 0 : scene_.amplitude * w_ * w_;
-  return {
-      -gap(floor, now.ball), floor.speed - now.ball.velocity, floor.acceleration - now.acceleration,
-      now.most + most,       omega0_ * now.most + w_ * most,  now.window};
+  return {-gap(now.floor, now.ball),
+          floor.speed - now.ball.velocity,
+          floor.acceleration - now.acceleration,
+          now.max[0] + most,
+          now.max[1] + w_ * most,
+          now.window};
 }
 
 inline Glimpse OscillatingFloorExact::push_in_touch(const State<double>& start, double t) const {
@@ -228,39 +277,38 @@ inline Glimpse OscillatingFloorExact::push_in_touch(const State<double>& start, 
   const Touch now = touch_at(start, t);
   const double bend = k * (now.floor.acceleration - now.acceleration) -
                       c * (now.jerk - (relative_ ? now.floor.jerk : 0));
-  // m a'' and m a''', bounded through a'' = shaking - 2 beta a' - omega0^2 a.
-  const double max_bend = now.shaking + omega0_ * (2 * beta_ + omega0_) * now.most;
-  const double max_turn =
-      w_ * now.shaking + 2 * beta_ * max_bend + omega0_ * omega0_ * omega0_ * now.most;
   return {m * (now.acceleration + scene_.gravity),
           m * now.jerk,
           bend,
-          m * max_bend,
-          m * max_turn,
+          m * now.max[2],
+          m * now.max[3],
           now.window};
 }
 
-/// Does the ball stay in contact for ever? The movement is a steady swing with the floor and a free
-/// one that the damper lets die. When both together cannot open the contact, it never opens.
+/// Does the ball stay in contact for ever? When steady and free swing together cannot open the
+/// contact, it never opens. Under a very small weight the free swing is soon lost in the rounding
+/// of the heights: what is smaller than that does not count.
 inline bool OscillatingFloorExact::stays(const State<double>& start) const {
   const double u = scene_.floor_velocity;
-  const double to_floor = omega0_ * omega0_ - w_ * w_;
-  const Complex steady = shaking_ / Complex(to_floor, 2 * beta_ * w_);  // infinite at resonance
-  const Complex steady_rate = Complex(0, w_) * steady;
-  const double x = start.position - rest_height() - steady.imag();  // the free movement
-  const double v = start.velocity - u - steady_rate.imag();
-  const double free_swing = std::hypot(x, v / omega0_);  // never grows, nor does that of a:
-  const double a = -2 * beta_ * v - omega0_ * omega0_ * x;
-  const double free_a = std::hypot(a, (2 * beta_ * a + omega0_ * omega0_ * v) / omega0_);
+  State<double> free = free_part(start, 0, 1);
+  const double rounding = 4 * std::numeric_limits<double>::epsilon() *
+                          (std::abs(start.position) + std::abs(rest_height()) + steady_size_);
+  if (std::hypot(free.position, free.velocity / omega0_) < rounding) free = {0, 0};
+  const double free_swing = std::hypot(free.position, free.velocity / omega0_);
+  const double free_a = free_acceleration(free);
 
-  const Complex floor = switched_ ? 0 : swing_;
-  double pressed = scene_.radius + height_ - rest_height();  // on average
+  // How far the spring is pressed in on average, and how much that swings. Both are written without
+  // a difference of heights, in which a small weight would be lost.
+  const double c_unknown = relative_ ? 0 : scene_.damping;  // what acts on the floor's speed, too
+  double pressed = sag_ + c_unknown * u / scene_.stiffness;
+  Complex swing = swing_ * answer_ * Complex(w_ * w_, -w_ * c_unknown / scene_.mass);
   if (switched_) {
     if (u > 0) return false;  // the ball rides up, and out of the switch
     pressed -= height_;
+    swing = steady_;
   }
-  const bool overlaps = std::abs(steady - floor) + free_swing < pressed;
-  const bool pushes = w_ * w_ * std::abs(steady) + free_a < scene_.gravity;
+  const bool overlaps = std::abs(swing) + free_swing < pressed;
+  const bool pushes = w_ * w_ * steady_size_ + free_a < scene_.gravity;
   return overlaps && (pushes || !clamped_);
 }
 
