@@ -8,3 +8,6 @@ $bin/02_spring_floor --screenshot 02_spring_floor.png --set stiffness=2000 --dur
 $bin/02_spring_floor --screenshot 02_explicit_euler.png --method explicit-euler --duration 2.8
 $bin/03_damping --screenshot 03_damping.png --set damping=18 --duration 2.2
 $bin/03_damping --screenshot 03_pull.png --set damping=43 --dt 0.0001 --duration 0.458
+$bin/05_ball_collision --screenshot 05_ball_collision.png --set scene=break --duration 1.3
+$bin/05_ball_collision --screenshot 05_tower.png --set scene=tower --set gap=0.1 --duration 1.53
+$bin/05_ball_collision --screenshot 05_drop.png --set scene=drop --set count=1000 --duration 0.62
