@@ -177,8 +177,9 @@ void draw_numbers(Canvas& canvas, const Camera& camera, const Player& player,
       if (!camera.sees(foot)) continue;
       const bool row = simulation.chosen_scene() == BallScene::cradle;
       const Vector3d v = velocity(rows, i);
-      const double speed = row ? v.x() : v.norm();
-      std::snprintf(text, sizeof text, row ? "%+.3f m/s" : "%.2f m/s", speed + 0.0);
+      double speed = row ? v.x() : v.norm();
+      if (std::abs(speed) < 5e-4) speed = 0;  // and not -0.000
+      std::snprintf(text, sizeof text, row ? "%+.3f m/s" : "%.2f m/s", speed);
       const Point at = camera.at(foot);
       if (simulation.chosen_scene() == BallScene::tower) {
         draw_label(canvas, {at.x + 34, at.y - 20}, text, palette::ink);

@@ -1,0 +1,121 @@
+// What stage 5 has on the command line besides what all stages have.
+
+#include <doctest/doctest.h>
+
+#include <cstdio>
+#include <fstream>
+#include <string>
+
+#include "run_program.hpp"
+
+using namespace bounce;
+using test::Outcome;
+using test::run_program;
+
+namespace {
+
+const std::string program = "05_ball_collision ";
+
+/// A balls file with this text, in the system's folder for such things.
+std::string balls_file(const std::string& text) {
+  const std::string path =
+      "/tmp/bounce_balls_" + std::to_string(std::hash<std::string>{}(text)) + ".csv";
+  std::ofstream(path, std::ios::binary) << text;
+  return path;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+const std::string header = "mass,radius,x,y,z,vx,vy,vz\n";
+
+}  // namespace
+
+TEST_CASE("stage 5 writes a row for each ball") {
+  const std::string two = header + "1,0.1,0,1,0,0.5,0,0\n2,0.2,1,1,0,0,0,-1\n";
+  const Outcome run =
+      run_program(program + "--headless --dt 0.0078125 --set gravity=0 --csv - --at 0,2 --balls " +
+                  balls_file(two));
+  CHECK(run.code == 0);
+  CHECK(run.out ==
+        "t,ball,x,y,z,vx,vy,vz\n"
+        "0,0,0,1,0,0.5,0,0\n0,1,1,1,0,0,0,-1\n"
+        "2,0,1,1,0,0.5,0,0\n2,1,1,1,-2,0,0,-1\n");
+  CHECK(contains(run.err, "ns_per_step_and_ball="));
+}
+
+TEST_CASE("a balls file that is not right ends with 2, and with its line and column") {
+  const auto fails = [](const std::string& text, const std::string& says) {
+    const Outcome run =
+        run_program(program + "--headless --csv out.csv --balls " + balls_file(text));
+    INFO(run.err);
+    CHECK(run.code == 2);
+    CHECK(run.out.empty());
+    CHECK(contains(run.err, says));
+    CHECK(test::read_file(test::work_folder() + "/out.csv").empty());
+  };
+  fails("", "line 1");
+  fails("mass,radius,x,y,z,vx,vy\n1,0.1,0,0,0,0,0\n", "line 1: column vz");
+  fails(header + "1,0.1,0,0,0,0,0,0\n1,0.1,0,abc,0,0,0,0\n", "line 3: column y: 'abc'");
+  fails(header + "1,0.1,0,nan,0,0,0,0\n", "line 2: column y: 'nan'");
+  fails(header + "-1,0.1,0,0,0,0,0,0\n", "line 2: column mass: '-1'");
+  fails(header + "1,0,0,0,0,0,0,0\n", "line 2: column radius: '0'");
+  CHECK(run_program(program + "--headless --balls no_such_file.csv").code == 2);
+  CHECK(run_program(program + "--headless --balls .").code == 2);
+  // Deep overlap at the start is allowed.
+  const std::string deep = header + "1,0.1,0,1,0,0,0,0\n1,0.1,0,1,0,0,0,0\n";
+  CHECK(run_program(program + "--headless --balls " + balls_file(deep)).code == 0);
+}
+
+TEST_CASE("--balls takes the place of a scene") {
+  const std::string file = balls_file(header + "1,0.1,0,1,0,0,0,0\n");
+  const Outcome run = run_program(program + "--headless --set scene=drop --balls " + file);
+  CHECK(run.code == 2);
+  CHECK(contains(run.err, "scene"));
+  CHECK(run_program(program + "--headless --set damping=3 --balls " + file).code == 0);
+}
+
+TEST_CASE("--threads: validated, and the result does not depend on it") {
+  for (const std::string bad : {"0", "-1", "1.5", "many", "nan", "100000"}) {
+    const Outcome run = run_program(program + "--headless --threads " + bad);
+    CAPTURE(run.err);
+    CHECK(run.code == 2);
+    CHECK(contains(run.err, "--threads '" + bad + "'"));
+  }
+  const std::string drop = "--set scene=drop --headless --csv - --at 0.5 --threads ";
+  CHECK(run_program(program + drop + "1").out == run_program(program + drop + "2").out);
+}
+
+TEST_CASE("a scene's defaults give way to what is set, wherever it stands") {
+  const std::string rest = " --headless --csv - --at 0.2";
+  const Outcome before = run_program(program + "--set gravity=3 --set scene=cradle" + rest);
+  const Outcome after = run_program(program + "--set scene=cradle --set gravity=3" + rest);
+  CHECK(before.out == after.out);
+  CHECK(before.out != run_program(program + "--set scene=cradle" + rest).out);
+  CHECK(run_program(program + "--set scene=drop --seed 2" + rest).out !=
+        run_program(program + "--set scene=drop" + rest).out);
+  const Outcome bad = run_program(program + "--headless --set count=2.5");
+  CHECK(bad.code == 2);
+  CHECK(contains(bad.err, "a whole number from 1"));
+}
+
+TEST_CASE("a saved run of many balls goes on to the bit") {
+  const std::string state = "/tmp/bounce_many_balls.state";
+  const std::string own =
+      "--balls " + balls_file(header + "1,0.1,0,1,0,0,0,0\n2,0.2,0.1,1.3,0,0,0,0\n");
+  const std::string scene = "--set scene=drop --set count=70 --set damping=9";
+  for (const std::string& start : {scene, own}) {
+    for (const std::string method : {"semi-implicit-euler", "velocity-verlet", "rk4"}) {
+      const std::string how = start + " --method " + method;
+      const Outcome through = run_program(program + how + " --csv - --at 0.6 --duration 0.6");
+      CHECK(run_program(program + how + " --headless --duration 0.3 --save " + state).code == 0);
+      const Outcome on =
+          run_program(program + "--load " + state + " --csv - --at 0.6 --duration 0.6");
+      INFO(how, on.err);
+      CHECK(on.code == 0);
+      CHECK(on.out == through.out);
+    }
+  }
+  std::remove(state.c_str());
+}
