@@ -25,19 +25,19 @@ class LocatedEvents {
     begin_phase();
   }
 
-  /// One step of `dt` in as many pieces as there are phases in it. `step(law, t, state, dt)` is a
-  /// stepping method (integrators.hpp) that carries nothing from step to step.
+  /// One step from `t` to `end` in as many pieces as there are phases in it. `step(law, t, state,
+  /// dt)` is a stepping method (integrators.hpp) that carries nothing from step to step. Steps are
+  /// given by both their ends, because the next one must begin exactly where this one ended: tiny
+  /// gaps between 1e5 steps would add up.
   template <class Step>
-  void operator()(const Step& step, double t, State<Vector>& state, double dt) {
-    const double end = t + dt;
+  void operator()(const Step& step, double t, State<Vector>& state, double end) {
     while (take_piece(step, t, state, end)) {
     }
   }
 
   /// The same, but flights are not stepped at all: the parabola is known.
   template <class Step>
-  void with_flights_by_formula(const Step& step, double t, State<Vector>& state, double dt) {
-    const double end = t + dt;
+  void with_flights_by_formula(const Step& step, double t, State<Vector>& state, double end) {
     while (true) {
       if (phase_ == Phase::touch) {
         if (!take_piece(step, t, state, end)) return;

@@ -243,18 +243,16 @@ class SceneSimulation final : public Simulation {
     const auto rk4_step = [](auto& law, double now, State<Vector>& x, double h) {
       rk4(law, now, x, h);
     };
+    const auto time_of = [&](long long i) { return t + static_cast<double>(i) * dt; };
     for (long long i = 0; i < count; ++i) {
-      double now = t + static_cast<double>(i) * dt;
+      const double now = time_of(i);
       const State<Vector> before = state_;
       if (method() == Method::rk4_events) {
-        located_(rk4_step, now, state_, dt);
+        located_(rk4_step, now, state_, time_of(i + 1));
       } else {
-        if (!keep_book_) {  // whole steps of flight at a stroke
-          const long long skipped = located_.steps_in_flight(now, dt, count - 1 - i);
-          i += skipped;
-          now = t + static_cast<double>(i) * dt;
-        }
-        located_.with_flights_by_formula(rk4_step, now, state_, dt);
+        // Whole steps of flight at a stroke; the energy book wants them one by one.
+        if (!keep_book_) i += located_.steps_in_flight(now, dt, count - 1 - i);
+        located_.with_flights_by_formula(rk4_step, now, state_, time_of(i + 1));
       }
       if (keep_book_) book(now, before, state_, dt);
     }

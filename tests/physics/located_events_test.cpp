@@ -67,7 +67,7 @@ double order_with_events(Step step, double damping) {
     const int steps = static_cast<int>(3000 * std::pow(1.13, n));
     LocatedEvents<DampingExact, double> located(DampingExact(scene), 0, scene.start);
     State<double> state = scene.start;
-    for (int i = 0; i < steps; ++i) located(step, double(i) / steps, state, 1.0 / steps);
+    for (int i = 0; i < steps; ++i) located(step, double(i) / steps, state, double(i + 1) / steps);
     dts.push_back(1.0 / steps);
     errors.push_back(std::abs(state.position - right.position));
   }

@@ -1,0 +1,31 @@
+#include <doctest/doctest.h>
+
+#include <set>
+
+#include "docs/lesson_tool.hpp"
+#include "speed_vs_error/results.hpp"
+
+using namespace bounce;
+
+// The tables of docs/speed_vs_error.md are made from the CSV by `speed_vs_error`, like every table
+// of a lesson: lessons_test.cpp compares them. Here are its figures.
+TEST_CASE("the figures of the speed report are drawn from the committed CSV") {
+  const std::string root = std::string(BOUNCE_SOURCE_DIR) + "/";
+  const std::string csv = test::read_file(root + report::csv_file);
+  const report::Report data = report::from_csv(csv);
+  std::set<std::string> cases;
+  for (const report::Result& result : data.results) cases.insert(result.case_name);
+  CHECK(cases.size() >= 6);
+  for (const std::string& name : cases) {
+    const std::string file = "docs/images/speed_vs_error_" + name + ".svg";
+    INFO(file, ": draw it again with build/release/bin/speed_vs_error figures");
+    CHECK(test::read_file(root + file).find(report::fingerprint(csv)) != std::string::npos);
+    CHECK(test::read_file(root + "docs/speed_vs_error.md").find("images/speed_vs_error_" + name) !=
+          std::string::npos);
+  }
+}
+
+TEST_CASE("the CSV of the speed report reads back as it was written") {
+  const std::string csv = test::read_file(std::string(BOUNCE_SOURCE_DIR) + "/" + report::csv_file);
+  CHECK(report::to_csv(report::from_csv(csv)) == csv);
+}

@@ -1,0 +1,56 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace bounce::report {
+
+/// The numbers of a state: position, then velocity; one of each in one dimension, else three.
+using Row = std::vector<double>;
+
+/// One method with one time step or tolerance, on one case.
+struct Subject {
+  std::string method;
+  std::string knob;  // "dt" [s], "tolerance", or empty
+  double value;
+  bool is_peer;
+  std::function<std::vector<Row>(const std::vector<double>& times)> sample;  // the states then
+  std::function<double()> run;               // to the end of the case and nothing else
+  std::function<long long()> evaluations{};  // of the force, in one run
+};
+
+/// A scene, how long it runs, and all that is measured on it.
+struct Case {
+  std::string name;  // one word, as in the CSV
+  int stage;
+  std::string what;
+  double t_end;  // s
+  std::vector<double> times;
+  std::vector<Row> truth;                                // at those times
+  std::function<double(double t, const Row&)> energy{};  // [J]
+  std::vector<Subject> subjects{};
+};
+
+/// What was measured of one subject.
+struct Result {
+  std::string case_name;
+  int stage;
+  std::string method, knob;
+  double value;
+  bool is_peer;
+  double position_error, velocity_error, energy_drift;  // maxima over the times; m, m/s, relative
+  double cost, evaluations;  // us of CPU time and force calls, per second
+};
+
+/// The cases with the course's own methods (own_methods.cpp).
+std::vector<Case> cases();
+
+/// Adds other programs' methods to the cases "bounce" and "damped" (peers_*.cpp). Where a peer was
+/// not installed when CMake looked, its function adds nothing.
+void add_odeint(Case& on, double damping);
+void add_cvode(Case& on, double damping);
+
+/// Time steps, or tolerances, from coarse to fine: `each` per power of ten.
+std::vector<double> geometric(double coarsest, double finest, int each);
+
+}  // namespace bounce::report

@@ -1,0 +1,170 @@
+#include "speed_vs_error/tables.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace bounce::report {
+namespace {
+
+std::string text_of(double value, int digits = 2) {
+  if (std::isnan(value)) return "-";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
+}
+
+/// The cheapest result that reaches the error; null when none does.
+const Result* cheapest(const std::vector<Result>& results, double error) {
+  const Result* best = nullptr;
+  for (const Result& r : results) {
+    if (r.position_error <= error && (best == nullptr || r.cost < best->cost)) best = &r;
+  }
+  return best;
+}
+
+/// The smallest error that a method reaches at all.
+const Result* most_accurate(const std::vector<Result>& results) {
+  const Result* best = nullptr;
+  for (const Result& r : results) {
+    if (best == nullptr || r.position_error < best->position_error) best = &r;
+  }
+  return best;
+}
+
+std::string cost_table(const Report& report, const std::string& case_name) {
+  std::string out =
+      "| method | 1e-3 m | 1e-6 m | 1e-9 m | smallest error: position, velocity, energy (cost) |\n"
+      "|---|---|---|---|---|\n";
+  for (const std::string& method : methods_in(report, case_name)) {
+    const std::vector<Result> results = results_of(report, case_name, method);
+    if (method == "exact") {
+      const std::string cost = text_of(results[0].cost);
+      const double error = results[0].position_error;
+      out += "| `exact` | " + cost + " | " + cost + " | " + cost + " | " +
+             (std::isnan(error) ? "rounding"
+                                : text_of(error) + " m, " + text_of(results[0].velocity_error) +
+                                      " m/s, rounding (" + cost + ")") +
+             " |\n";
+      continue;
+    }
+    const Result* best = most_accurate(results);
+    if (std::isnan(best->position_error)) continue;
+    out += results[0].is_peer ? "| " + method + " |" : "| `" + method + "` |";
+    for (const double error : {1e-3, 1e-6, 1e-9}) {
+      const Result* r = cheapest(results, error);
+      out += r == nullptr ? " - |" : " " + text_of(r->cost) + " (" + text_of(r->value) + ") |";
+    }
+    out += " " + text_of(best->position_error) + " m, " + text_of(best->velocity_error) + " m/s, " +
+           text_of(best->energy_drift) + " (" + text_of(best->cost) + ") |\n";
+  }
+  return out;
+}
+
+std::string order_table(const Report& report) {
+  const std::vector<std::string> in{"fall", "bounce", "damped", "space", "shaken", "tilted"};
+  std::string out = "| method |", line = "|---|";
+  for (const std::string& name : in) out += " " + name + " |", line += "---|";
+  out += "\n" + line + "\n";
+  for (const char* method : {"explicit-euler", "semi-implicit-euler", "velocity-verlet", "rk4",
+                             "rk4-events", "flight-rk4"}) {
+    out += std::string("| `") + method + "` |";
+    for (const std::string& name : in) {
+      out += " " + text_of(measured_order(results_of(report, name, method))) + " |";
+    }
+    out += "\n";
+  }
+  return out;
+}
+
+double cost_at(const Report& report, const std::string& case_name, const std::string& method,
+               double dt) {
+  for (const Result& r : results_of(report, case_name, method)) {
+    if (std::abs(r.value / dt - 1) < 1e-3) return r.cost;
+  }
+  throw std::runtime_error("no " + method + " with this dt in " + case_name);
+}
+
+std::string model_table(const Report& report) {
+  const double dt = 1e-4;
+  const double bare = cost_at(report, "damped", "bare loop", dt);
+  std::string out = "| the same steps | ns a step | ratio |\n|---|---|---|\n";
+  const auto row = [&](const std::string& what, double cost) {
+    out += "| " + what + " | " + text_of(cost * dt * 1e3, 3) + " | " + text_of(cost / bare, 3) +
+           " |\n";
+  };
+  const std::string method = "semi-implicit-euler";
+  row("the slides' bare loop", bare);
+  row("the library, one dimension (stage 3)", cost_at(report, "damped", method, dt));
+  row("the library, three dimensions (stage 4)", cost_at(report, "space", method, dt));
+  return out;
+}
+
+std::string headline_table(const Report& report) {
+  std::string out = "| | (a) undamped, 10 s | (b) damped, 5 s |\n|---|---|---|\n";
+  const auto both = [&](const std::string& what, const auto& cell) {
+    out += "| " + what + " | " + cell("bounce") + " | " + cell("damped") + " |\n";
+  };
+  const auto exact = [&](const char* name) { return results_of(report, name, "exact")[0]; };
+  both("`exact`: CPU time per simulated second",
+       [&](const char* name) { return text_of(exact(name).cost) + " us"; });
+  both("`exact`: error",
+       [&](const char* name) { return text_of(exact(name).position_error) + " m"; });
+  both("the most accurate peer: error (cost against `exact`)", [&](const char* name) {
+    Result best{};
+    best.position_error = INFINITY;
+    for (const Result& r : report.results) {
+      if (r.is_peer && r.case_name == name && r.position_error < best.position_error) best = r;
+    }
+    if (!best.is_peer) return std::string("not measured");
+    return best.method + ", " + text_of(best.position_error) + " m (" +
+           text_of(best.cost / exact(name).cost) + " times)";
+  });
+  both("`flight-rk4` at 1e-9 m", [&](const char* name) {
+    const std::vector<Result> all = results_of(report, name, "flight-rk4");
+    const Result* r = cheapest(all, 1e-9);
+    return r == nullptr ? std::string("-") : text_of(r->cost) + " us";
+  });
+  both("the cheapest peer at 1e-9 m", [&](const char* name) {
+    std::vector<Result> peers;
+    for (const Result& r : report.results) {
+      if (r.is_peer && r.case_name == name) peers.push_back(r);
+    }
+    const Result* r = cheapest(peers, 1e-9);
+    return r == nullptr ? std::string("-") : r->method + ", " + text_of(r->cost) + " us";
+  });
+  both("RK4 with dt = 1e-4 s: error without, and with located events", [&](const char* name) {
+    std::string cell;
+    for (const char* method : {"rk4", "rk4-events"}) {
+      for (const Result& r : results_of(report, name, method)) {
+        if (std::abs(r.value / 1e-4 - 1) < 1e-3) {
+          cell += (cell.empty() ? "" : ", ") + text_of(r.position_error) + " m";
+        }
+      }
+    }
+    return cell;
+  });
+  return out;
+}
+
+std::string machine_table(const Report& report) {
+  std::string out = "| | |\n|---|---|\n";
+  for (const std::string& line : report.about) {
+    const std::size_t colon = line.find(": ");
+    out += "| " + line.substr(0, colon) + " | " + line.substr(colon + 2) + " |\n";
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string table(const Report& report, const std::string& name) {
+  if (name == "machine") return machine_table(report);
+  if (name == "headline") return headline_table(report);
+  if (name == "orders") return order_table(report);
+  if (name == "model") return model_table(report);
+  if (name.rfind("cost ", 0) == 0) return cost_table(report, name.substr(5));
+  throw std::runtime_error("there is no table " + name);
+}
+
+}  // namespace bounce::report
