@@ -24,7 +24,9 @@ int play(int argc, const char* const* argv, const Demo& demo) {
   const std::unique_ptr<Simulation> simulation = demo.make();
   return guarded(demo.stage, *simulation, [&]() -> int {
     Options options;
-    if (!parse_command_line(argc, argv, demo.stage, *simulation, options)) return exit_ok;
+    if (!parse_command_line(argc, argv, demo.stage, *simulation, options, demo.options)) {
+      return exit_ok;
+    }
     if (!options.headless) {
       if (show_window(demo, simulation->clone(), options)) return exit_ok;
       return run_unseen(demo, simulation->clone(), options);

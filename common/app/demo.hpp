@@ -56,6 +56,7 @@ struct Demo {
   bool in_space = false;  // three dimensions: the view from above makes sense
   /// The demo starts anew (in the window only) when this says so.
   std::function<bool(const Player&)> is_over;
+  std::vector<StageOption> options;  // on the command line, besides those of all stages
 };
 
 /// The main program of every stage: reads the command line, and runs headless or in a window.

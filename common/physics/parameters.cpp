@@ -1,6 +1,7 @@
 #include "physics/parameters.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace bounce {
 
@@ -18,11 +19,13 @@ std::string Parameter::allowed() const {
     return std::to_string(vector->size()) + " numbers" + range + ", separated by commas" +
            (is_not_zero ? ", not all of them 0" : "");
   }
-  return "a number" + range;
+  return (is_whole ? "a whole number" : "a number") + range;
 }
 
 bool Parameter::allows(std::span<const double> numbers) const {
-  const auto is_valid = [this](double number) { return valid.contains(number); };
+  const auto is_valid = [this](double number) {
+    return valid.contains(number) && !(is_whole && number != std::floor(number));
+  };
   const auto is_zero = [](double number) { return number == 0; };
   return std::all_of(numbers.begin(), numbers.end(), is_valid) &&
          !(is_not_zero && std::all_of(numbers.begin(), numbers.end(), is_zero));

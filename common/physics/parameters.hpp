@@ -48,6 +48,8 @@ struct Parameter {
   Range slider{};            // what is worth playing with
   bool is_start = false;     // tells where a run begins, not what its law is
   bool is_not_zero = false;  // a vector that gives a direction: not all of its numbers may be 0
+  bool is_whole = false;     // counts something
+  bool chooses_defaults = false;  // a choice that gives other parameters new defaults
 
   /// The value in shortest decimals ("0,1,0" for a vector), or the chosen name.
   std::string text() const;

@@ -94,7 +94,12 @@ std::string summary(const StageName& stage, Simulation& simulation, double start
   line += " steps=" + std::to_string(steps);
   const int each = force_evaluations_per_step(simulation.method());
   line += " force_evaluations=" + std::to_string(steps * each);
-  if (steps > 0) say("ns_per_step", stepping / static_cast<double>(steps) * 1e9);
+  if (steps > 0) {
+    const double ns = stepping / static_cast<double>(steps) * 1e9;
+    say("ns_per_step", ns);
+    const auto balls = static_cast<double>(simulation.balls());
+    if (balls > 1) say("ns_per_step_and_ball", ns / balls);
+  }
   // Against the exact solution's energy, so that what the damper takes is no drift.
   const double reference = simulation.exact_energy().value_or(energy_at_start);
   const double scale = std::abs(energy_at_start) > 0 ? std::abs(energy_at_start) : 1;
@@ -123,10 +128,13 @@ int run_headless(const StageName& stage, Simulation& simulation, const Options& 
   const long long steps_at_start = simulation.steps();
   const Clock::time_point begin = Clock::now();
   double stepping = 0;
+  // So many steps at a time take a second at most (up to 1e4 balls), so that Ctrl-C is heard.
+  const auto balls = static_cast<double>(simulation.balls());
+  const double stride = balls > 1 ? std::max(1.0, 1e6 / balls) : 1e7;
   const auto advance = [&](double t) {
-    while (simulation.time() < t && !interrupted) {  // in strides, so that Ctrl-C is heard
+    while (simulation.time() < t && !interrupted) {
       const Clock::time_point now = Clock::now();
-      simulation.advance_to(std::min(t, simulation.time() + 1e7 * simulation.dt()));
+      simulation.advance_to(std::min(t, simulation.time() + stride * simulation.dt()));
       stepping += seconds_since(now);
     }
   };

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iostream>
 #include <optional>
 
@@ -78,15 +79,45 @@ void declare(CLI::App& app, Words& words, Options& options, bool& list) {
 
 void set_parameters(const std::vector<std::string>& settings, Simulation& simulation) {
   const std::vector<Parameter> parameters = simulation.parameters();
-  for (const std::string& setting : settings) {
-    const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos) {
-      throw BadInput("--set '" + setting +
-                     "' is not allowed: it must be NAME=VALUE, such as --set " +
-                     parameters[0].name + "=" + parameters[0].text());
+  // First those that choose the others' defaults, wherever they stand on the command line.
+  for (const bool chooses_defaults : {true, false}) {
+    for (const std::string& setting : settings) {
+      const std::size_t equals = setting.find('=');
+      if (equals == std::string::npos) {
+        throw BadInput("--set '" + setting +
+                       "' is not allowed: it must be NAME=VALUE, such as --set " +
+                       parameters[0].name + "=" + parameters[0].text());
+      }
+      const Parameter& parameter = find_parameter(parameters, setting.substr(0, equals));
+      if (parameter.chooses_defaults == chooses_defaults) {
+        parameter.set(setting.substr(equals + 1));
+      }
     }
-    find_parameter(parameters, setting.substr(0, equals)).set(setting.substr(equals + 1));
   }
+}
+
+void apply_stage_options(const std::vector<StageOption>& of_stage, const Words& words,
+                         const Options& options, Simulation& simulation) {
+  for (const StageOption& option : of_stage) {
+    const auto given = options.of_stage.find(option.name);
+    if (given == options.of_stage.end() || !option.apply) continue;
+    if (!options.load.empty() && !option.replaces.empty()) {
+      throw BadInput("--load brings its own state: leave out " + option.name);
+    }
+    for (const std::string& setting : words.set) {
+      const std::string name = setting.substr(0, setting.find('='));
+      const auto& replaced = option.replaces;
+      if (std::find(replaced.begin(), replaced.end(), name) == replaced.end()) continue;
+      throw BadInput(option.name + " takes the place of " + name + ": give one of them");
+    }
+    option.apply(simulation, given->second);
+  }
+}
+
+std::uint64_t seed_from(const std::string& text) {
+  const double seed = number("--seed", text, {0, 1e15}, "");
+  if (seed == std::floor(seed)) return static_cast<std::uint64_t>(seed);
+  throw BadInput("--seed '" + text + "' is not allowed: it must be a whole number");
 }
 
 double step_from(const std::string& text, const Simulation& simulation) {
@@ -132,8 +163,9 @@ void check_size(const Options& options, const Simulation& simulation) {
                       : options.sample > 0 ? options.duration / options.sample
                       : stepping           ? steps
                                            : 0;
-  if (rows > most_rows) {
-    throw BadInput("--csv would get " + to_rounded_text(rows) +
+  const double in_all = rows * static_cast<double>(simulation.balls());
+  if (in_all > most_rows) {
+    throw BadInput("--csv would get " + to_rounded_text(in_all) +
                    " rows, and at most 1e8 are allowed: give a longer --sample or some --at times");
   }
 }
@@ -141,11 +173,19 @@ void check_size(const Options& options, const Simulation& simulation) {
 }  // namespace
 
 bool parse_command_line(int argc, const char* const* argv, const StageName& stage,
-                        Simulation& simulation, Options& options) {
+                        Simulation& simulation, Options& options,
+                        const std::vector<StageOption>& of_stage) {
   CLI::App app(stage.about, stage.name);
   Words words;
   bool list = false;
   declare(app, words, options, list);
+  for (const StageOption& option : of_stage) {
+    const auto keep = [&options, name = option.name](const std::string& text) {
+      options.of_stage[name] = text;
+    };
+    app.add_option_function<std::string>(option.name, keep, option.meaning)
+        ->type_name(option.value);
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -167,6 +207,9 @@ bool parse_command_line(int argc, const char* const* argv, const StageName& stag
     std::cout << list_text(stage, simulation);
     return false;
   }
+  if (words.seed) options.seed = seed_from(*words.seed);
+  simulation.use_seed(options.seed);
+  apply_stage_options(of_stage, words, options, simulation);
   set_parameters(words.set, simulation);
   if (words.method) {
     simulation.use_method(find_method(*words.method, simulation.methods()));
@@ -183,13 +226,6 @@ bool parse_command_line(int argc, const char* const* argv, const StageName& stag
   }
   if (words.tolerance) {
     options.tolerance = number("--tolerance", *words.tolerance, {1e-15, 1}, "");
-  }
-  if (words.seed) {
-    const double seed = number("--seed", *words.seed, {0, 1e15}, "");
-    options.seed = static_cast<std::uint64_t>(seed);
-    if (static_cast<double>(options.seed) != seed) {
-      throw BadInput("--seed '" + *words.seed + "' is not allowed: it must be a whole number");
-    }
   }
   read_times(words, options, simulation.time());
   check_size(options, simulation);
@@ -224,12 +260,14 @@ std::string command_for(const StageName& stage, Simulation& now, Simulation& fre
   std::string command = stage.name;
   if (now.method() != fresh.method()) command += " --method " + name_of(now.method());
   if (now.dt() != fresh.dt()) command += " --dt " + to_text(now.dt());
-  const std::vector<Parameter> values = now.parameters(), defaults = fresh.parameters();
+  const std::unique_ptr<Simulation> standard = fresh.clone();  // what follows from the choices
+  const std::vector<Parameter> values = now.parameters(), defaults = standard->parameters();
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (values[i].text() == defaults[i].text()) continue;
     command += " --set " + values[i].name + "=" + values[i].text();
+    if (values[i].chooses_defaults) defaults[i].set(values[i].text());
   }
-  return command;
+  return command + now.stage_options();
 }
 
 }  // namespace bounce

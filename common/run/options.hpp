@@ -1,5 +1,7 @@
 #pragma once
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,16 @@ struct StageName {
   std::string about;
 };
 
+/// An option that one stage has besides those that all have.
+struct StageOption {
+  std::string name;     // "--balls"
+  std::string value;    // what follows it, for --help: "FILE"
+  std::string meaning;  // one line, for --help
+  /// Called with the text, before the parameters are set; throws BadInput. May be empty.
+  std::function<void(Simulation&, const std::string& text)> apply = {};
+  std::vector<std::string> replaces = {};  // parameters that cannot be set beside it
+};
+
 /// What the user asked for on the command line. Parameters, method and time step are not here: they
 /// are already set in the simulation.
 struct Options {
@@ -24,13 +36,15 @@ struct Options {
   std::uint64_t seed = 1;
   bool headless = false;  // also when a file is asked for that needs no window
   bool calm = false;
+  std::map<std::string, std::string> of_stage;  // the stage's own options that were given, as text
 };
 
 /// Reads the command line (one for all stages) and sets up `simulation`. Returns false when the
 /// question was answered on standard output (`--list`, `--help`) and there is nothing to run.
 /// Throws BadInput.
 bool parse_command_line(int argc, const char* const* argv, const StageName& stage,
-                        Simulation& simulation, Options& options);
+                        Simulation& simulation, Options& options,
+                        const std::vector<StageOption>& of_stage = {});
 
 /// What `--list` prints: the methods, and every parameter with unit, default, valid values,
 /// meaning.

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -53,7 +54,12 @@ class Simulation {
   virtual Energy energy() const = 0;                             // [J]
   virtual std::optional<StateError> error() const = 0;           // against the exact solution, now
 
+  virtual std::size_t balls() const { return 1; }  // rows of the trace at one time
+  /// The words on the command line, besides parameters, that make a run like this one.
+  virtual std::string stage_options() const { return ""; }
+
   // ---- Setting it up. Method and time step may change in the middle of a run.
+  virtual void use_seed(std::uint64_t /*seed*/) {}  // where a start has chance in it
   void use_method(Method method);
   void use_dt(double dt);
   void restart();  // from t = 0 and the scene's start
