@@ -27,6 +27,9 @@ int play(int argc, const char* const* argv, const Demo& demo) {
     if (!parse_command_line(argc, argv, demo.stage, *simulation, options, demo.options)) {
       return exit_ok;
     }
+    if (demo.other_work) {
+      if (const std::optional<int> code = demo.other_work(*simulation, options)) return *code;
+    }
     if (!options.headless) {
       if (show_window(demo, simulation->clone(), options)) return exit_ok;
       return run_unseen(demo, simulation->clone(), options);

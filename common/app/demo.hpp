@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,7 +57,13 @@ struct Demo {
   bool in_space = false;  // three dimensions: the view from above makes sense
   /// The demo starts anew (in the window only) when this says so.
   std::function<bool(const Player&)> is_over;
+  /// How a slider sets a parameter in a run, where more has to change with it; may be empty.
+  std::function<void(Simulation&, const Parameter&, const std::string& text)> set;
   std::vector<StageOption> options;  // on the command line, besides those of all stages
+  /// Work that an option of the stage asks for in place of the demo. Returns the exit code, or
+  /// nothing when it was not asked for; may be empty.
+  std::function<std::optional<int>(Simulation&, const Options&)> other_work;
+  bool bare = false;  // the picture alone: no panel, no plots
 };
 
 /// The main program of every stage: reads the command line, and runs headless or in a window.

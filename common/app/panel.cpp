@@ -66,7 +66,7 @@ void Panel::draw(Player& player, View& view) {
   ImGui::PopTextWrapPos();
   ImGui::Spacing();
 
-  ImGui::PushItemWidth(250);
+  ImGui::PushItemWidth(226);
   ++frames_since_slider_;
   for (const Dial& dial : demo_.dials) draw_dial(player, view, dial);
   draw_parameters(player, view, true);
@@ -119,7 +119,13 @@ void Panel::draw_parameter(Player& player, View& view, const Parameter& paramete
   const auto apply = [&](const std::string& text) {
     player.change(
         [&](Simulation& simulation) {
-          find_parameter(simulation.parameters(), parameter.name).set(text);
+          const std::vector<Parameter> all = simulation.parameters();
+          const Parameter& changed = find_parameter(all, parameter.name);
+          if (demo_.set) {
+            demo_.set(simulation, changed, text);
+          } else {
+            changed.set(text);
+          }
         },
         parameter.is_start);
     cost_is_old_ = true;

@@ -25,7 +25,9 @@ float column_x(const BallOnALine& ball) {
   return layout::scene.width * (ball.strobe ? 0.36f : 0.60f);
 }
 
-State<double> state_of(const std::vector<double>& values) { return {values[0], values[1]}; }
+State<double> state_of(const BallOnALine& ball, const std::vector<double>& values) {
+  return {values[ball.column], values[ball.column + 1]};
+}
 
 void draw_ruler(Canvas& canvas, const SideCamera& camera, double lowest, double highest) {
   const Rect& area = layout::scene;
@@ -56,14 +58,22 @@ void draw_ruler(Canvas& canvas, const SideCamera& camera, double lowest, double 
 /// Height against time: the present is the ball's column.
 class TimePath {
  public:
-  TimePath(const SideCamera& camera, float column, double now)
-      : camera_(camera), column_(column), now_(now) {}
+  TimePath(const SideCamera& camera, float column, double now, std::size_t height)
+      : camera_(camera), column_(column), now_(now), height_(height) {}
   Point at(double t, double y) const {
     return {column_ + static_cast<float>(t - now_) * per_second, camera_.at(0, y).y};
   }
   std::vector<Point> path(const std::vector<TracePoint>& points) const {
     std::vector<Point> path;
-    for (const TracePoint& point : points) path.push_back(at(point.t, point.values[0]));
+    for (const TracePoint& point : points) path.push_back(at(point.t, point.values[height_]));
+    return path;
+  }
+  /// A height that is known at all times, from one moment to another, in pieces of 1/120 s.
+  std::vector<Point> path(const std::function<double(double)>& height, double from,
+                          double to) const {
+    std::vector<Point> path;
+    for (double t = to; t > from; t -= 1.0 / 120) path.push_back(at(t, height(t)));
+    path.push_back(at(from, height(from)));
     return path;
   }
 
@@ -71,6 +81,7 @@ class TimePath {
   const SideCamera& camera_;
   float column_;
   double now_;
+  std::size_t height_;  // where y stands among a trace point's values
 };
 
 void draw_past(Canvas& canvas, const Player& player, const TimePath& path, const BallOnALine& ball,
@@ -79,7 +90,7 @@ void draw_past(Canvas& canvas, const Player& player, const TimePath& path, const
   const auto& trace = player.trace();
   const double now = player.shown_time();
   const double oldest = now - (column_x(ball) - ruler_x) / per_second;
-  std::vector<Point> curve, exact;
+  std::vector<Point> curve, exact, floor;
   float last_label = -100;
   const auto flush = [&](double t) {
     const double age = std::clamp((now - t) / (now - oldest), 0.0, 1.0);
@@ -91,8 +102,9 @@ void draw_past(Canvas& canvas, const Player& player, const TimePath& path, const
   for (std::size_t i = 0; i < trace.size(); ++i) {
     const TracePoint& point = trace[i];
     if (point.t < oldest || point.t > now) continue;
-    curve.push_back(path.at(point.t, point.values[0]));
-    if (!point.exact.empty()) exact.push_back(path.at(point.t, point.exact[0]));
+    curve.push_back(path.at(point.t, point.values[ball.column]));
+    if (ball.floor_height) floor.push_back(path.at(point.t, point.values[ball.column - 1]));
+    if (!point.exact.empty()) exact.push_back(path.at(point.t, point.exact[ball.column]));
     if (curve.size() > piece) {
       const Point joint = curve.back(), exact_joint = exact.empty() ? joint : exact.back();
       flush(point.t);
@@ -100,19 +112,21 @@ void draw_past(Canvas& canvas, const Player& player, const TimePath& path, const
       if (!point.exact.empty()) exact.push_back(exact_joint);
     }
     // The top of a bounce, with its height.
-    if (i > 0 && trace[i - 1].values[1] > 0 && point.values[1] <= 0 &&
-        point.values[0] > ball.radius) {
-      const Point top = path.at(point.t, point.values[0]);
+    if (i > 0 && trace[i - 1].values[ball.column + 1] > 0 && point.values[ball.column + 1] <= 0 &&
+        point.values[ball.column] > ball.radius) {
+      const Point top = path.at(point.t, point.values[ball.column]);
       if (top.x < last_label + 52) continue;
       last_label = top.x;
       char text[32];
-      std::snprintf(text, sizeof text, "%.3f", point.values[0]);
+      std::snprintf(text, sizeof text, "%.3f", point.values[ball.column]);
       canvas.disc(top, 2.5f, palette::motion);
       draw_label(canvas, {top.x, top.y - 20}, text, palette::ink, Align::centre);
     }
   }
-  if (player.shown_time() > oldest) curve.push_back(path.at(now, player.shown_values()[0]));
+  if (player.shown_time() > oldest)
+    curve.push_back(path.at(now, player.shown_values()[ball.column]));
   flush(now);
+  canvas.line(floor, palette::ink.faded(0.4), 1.5f);
 }
 
 void draw_strobe(Canvas& canvas, const Player& player, const SideCamera& camera, float x,
@@ -180,7 +194,7 @@ void draw_force(Canvas& canvas, Point from, double force, double weight, Colour 
 
 void draw_forces(Canvas& canvas, const Player& player, const View& view, const BallOnALine& ball,
                  Point centre, float radius, float ground) {
-  const ForcesOnALine now = ball.forces(state_of(player.shown_values()));
+  const ForcesOnALine now = ball.forces(player.shown_time(), state_of(ball, player.shown_values()));
   const double weight = std::abs(now.gravity);
   draw_force(canvas, centre, now.gravity, weight, palette::gravity, 1, "weight");
   if (!view.forces) return;
@@ -191,7 +205,7 @@ void draw_forces(Canvas& canvas, const Player& player, const View& view, const B
   for (auto point = player.trace().rbegin(); point != player.trace().rend(); ++point) {
     if (player.shown_time() - point->t > peak_hold) break;
     if (point->t > player.shown_time()) continue;
-    const ForcesOnALine then = ball.forces(state_of(point->values));
+    const ForcesOnALine then = ball.forces(point->t, state_of(ball, point->values));
     if (then.spring <= peak.spring) continue;
     peak = then;
     age = player.shown_time() - point->t;
@@ -206,7 +220,7 @@ void draw_forces(Canvas& canvas, const Player& player, const View& view, const B
     draw_force(canvas, {left.x, ground}, peak.spring, weight, palette::spring, share,
                "spring, peak");
   }
-  const double speed = player.shown_values()[1];
+  const double speed = player.shown_values()[ball.column + 1];
   const Point foot{centre.x + radius + 40, centre.y};
   const Point tip{foot.x, foot.y - static_cast<float>(speed) * per_metre_per_second};
   draw_arrow(canvas, foot, tip, palette::motion, Shaft::velocity);
@@ -247,7 +261,7 @@ SideCamera side_camera(const Player& player, const BallOnALine& ball) {
   const Rect& area = layout::scene;
   double highest = ball.highest;
   for (const TracePoint& point : player.trace()) {
-    while (point.values[0] + ball.radius > highest && highest < 1e12) highest *= 2;
+    while (point.values[ball.column] + ball.radius > highest && highest < 1e12) highest *= 2;
   }
   const double lowest = ball.floor ? ball.lowest * highest / ball.highest : ball.lowest;
   const float top = area.y + 40, bottom = area.bottom() - 34;
@@ -257,7 +271,7 @@ SideCamera side_camera(const Player& player, const BallOnALine& ball) {
 
 bool is_on_ball(Point pixel, const Player& player, const BallOnALine& ball) {
   const SideCamera camera = side_camera(player, ball);
-  const Point centre = camera.at(0, player.shown_values()[0]);
+  const Point centre = camera.at(0, player.shown_values()[ball.column]);
   const float reach = std::max(12.0f, camera.length(ball.radius));
   return std::hypot(pixel.x - centre.x, pixel.y - centre.y) < reach;
 }
@@ -270,8 +284,8 @@ void draw_side_view(Canvas& canvas, const Player& player, const View& view,
   const Rect& area = layout::scene;
   const float x = column_x(ball);
   const double now = player.shown_time();
-  const double y = player.shown_values()[0];
-  const float ground = camera.at(0, 0).y;
+  const double y = player.shown_values()[ball.column];
+  const float ground = camera.at(0, ball.floor_height ? ball.floor_height(now) : 0).y;
   const float radius = std::max(5.0f, camera.length(ball.radius));
   const Point centre = camera.at(0, y);
   const double bottom = -(area.bottom() - 34 - camera.origin.y) / camera.per_metre;
@@ -279,15 +293,24 @@ void draw_side_view(Canvas& canvas, const Player& player, const View& view,
 
   canvas.push_clip(area);
   draw_ruler(canvas, camera, bottom, top);
-  const TimePath path(camera, x, now);
+  const TimePath path(camera, x, now, ball.column);
   if (!view.earlier.empty() && !ball.strobe) {
     draw_dashed(canvas, path.path(view.earlier), palette::exact.faded(0.6), 1.5f);
   }
   if (!view.future.empty() && !ball.strobe) {
     canvas.line(path.path(view.future), palette::motion.faded(0.35), 2);
   }
-  if (ball.floor) draw_ground(canvas, ruler_x, area.right() - 8, ground);
-  if (!ball.strobe) draw_time_axis(canvas, path, now, ground + 12, x);
+  if (ball.floor_height) {  // a plate under the ball, with its past to the left and time below
+    draw_ground(canvas, x - 2 * radius - 40, x + 2 * radius + 40, ground);
+    if (!view.future.empty()) {
+      canvas.line(path.path(ball.floor_height, now, view.future.back().t), palette::ink.faded(0.2),
+                  1.5f);
+    }
+    draw_time_axis(canvas, path, now, area.bottom() - 30, x);
+  } else {
+    if (ball.floor) draw_ground(canvas, ruler_x, area.right() - 8, ground);
+    if (!ball.strobe) draw_time_axis(canvas, path, now, ground + 12, x);
+  }
   if (ball.strobe && view.trail) draw_strobe(canvas, player, camera, x, radius, view.ghost);
   if (!ball.strobe && view.trail) draw_past(canvas, player, path, ball, view);
 
@@ -295,12 +318,13 @@ void draw_side_view(Canvas& canvas, const Player& player, const View& view,
   if (ball.floor) draw_overlap(canvas, centre, radius, ground);
   const std::vector<double> exact = player.simulation().exact_values(now);
   if (view.ghost && !exact.empty()) {
-    const Point ghost{x + (ball.strobe ? strobe_ghost_offset : 0), camera.at(0, exact[0]).y};
+    const Point ghost{x + (ball.strobe ? strobe_ghost_offset : 0),
+                      camera.at(0, exact[ball.column]).y};
     draw_dashed_circle(canvas, ghost, radius, palette::exact, 1.5f);
     if (ball.strobe) {
       canvas.text({x, area.y + 12}, "method", palette::ink, Align::centre, TextSize::normal);
       canvas.text({ghost.x, area.y + 12}, "exact", palette::exact, Align::centre, TextSize::normal);
-      draw_gap(canvas, centre, ghost, std::abs(y - exact[0]));
+      draw_gap(canvas, centre, ghost, std::abs(y - exact[ball.column]));
     }
   }
   draw_forces(canvas, player, view, ball, centre, radius, ground);

@@ -144,12 +144,14 @@ void Window::draw() {
   SDL_SetRenderDrawBlendMode(renderer_, SDL_BLENDMODE_BLEND);
   backend_->begin_frame(layout::width, layout::height);
   demo_.picture(player_, view_, canvas_);
-  draw_energy_column(canvas_, layout::energy, player_.trace().back());
-  for (std::size_t i = 0; i < demo_.plots.size() && i < 2; ++i) {
-    plots_[i].draw(canvas_, layout::plots[i], demo_.plots[i], player_);
+  if (!demo_.bare) {
+    draw_energy_column(canvas_, layout::energy, player_.trace().back());
+    for (std::size_t i = 0; i < demo_.plots.size() && i < 2; ++i) {
+      plots_[i].draw(canvas_, layout::plots[i], demo_.plots[i], player_);
+    }
+    if (view_.help) draw_help();
+    panel_->draw(player_, view_);
   }
-  if (view_.help) draw_help();
-  panel_->draw(player_, view_);
   backend_->end_frame();
   if (keep_pixels || !screenshot_.empty()) read_pixels();
   if (!screenshot_.empty()) {

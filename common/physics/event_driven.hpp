@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
@@ -17,11 +18,16 @@ struct TimeStandsStill : std::runtime_error {
 /// Walks from event to event (touch, lift-off). Within a phase the movement is a formula, so there
 /// is no time step, no step error, and the cost is per bounce, whatever the stiffness. What remains
 /// is rounding. `Phases` is a type like BouncePhases (closed_form.hpp); `Vector` as in state.hpp.
+/// Phases whose law depends on the time (a floor that moves) have a `begin(t)` besides: it is told
+/// when each phase begins, and all that is asked afterwards counts from there. They also name a
+/// `shortest_phase()`: a thousand shorter ones in a row are no movement that can be followed.
 template <class Phases, class Vector = double>
 class EventDriven {
  public:
   EventDriven(const Phases& phases, double t, const State<Vector>& state)
-      : phases_(phases), start_(t), state_(state), phase_(phases_.phase_at(state)) {
+      : phases_(phases), start_(t), state_(state) {
+    begin_phase();
+    phase_ = phases_.phase_at(state);
     find_end();
   }
 
@@ -37,12 +43,12 @@ class EventDriven {
   const State<Vector>& state_at_last_event() const { return state_; }
 
   void pass_event() {
-    const State<Vector> arrived = phases_.move(phase_, state_, end_.after);
-    state_ = phases_.at_event(phase_, end_.next, arrived);
-    const double rounding = 4 * std::numeric_limits<double>::epsilon() * start_;
-    crowded_ = end_.after > rounding ? 0 : crowded_ + 1;
+    crowded_ = end_.after > too_short() ? 0 : crowded_ + 1;
     if (crowded_ > 1000) throw TimeStandsStill(start_);
+    const State<Vector> arrived = phases_.move(phase_, state_, end_.after);
     start_ += end_.after;
+    begin_phase();
+    state_ = phases_.at_event(phase_, end_.next, arrived);
     phase_ = end_.next;
     find_end();
   }
@@ -52,16 +58,27 @@ class EventDriven {
     start_ = t;
     state_ = state;
     phase_ = phase;
+    begin_phase();
     find_end();
   }
 
  private:
+  void begin_phase() {
+    if constexpr (requires { phases_.begin(start_); }) phases_.begin(start_);
+  }
+  double too_short() const {
+    const double rounding = 4 * std::numeric_limits<double>::epsilon() * start_;
+    if constexpr (requires { phases_.shortest_phase(); }) {
+      return std::max(rounding, phases_.shortest_phase());
+    }
+    return rounding;
+  }
   void find_end() { end_ = phases_.end_of(phase_, state_); }
 
   Phases phases_;
   double start_;  // when the current phase began
   State<Vector> state_;
-  Phase phase_;
+  Phase phase_{};
   PhaseEnd end_{};
   int crowded_ = 0;  // events in a row that did not advance time
 };

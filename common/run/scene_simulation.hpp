@@ -14,7 +14,9 @@
 namespace bounce {
 
 /// Runs a scene with one ball, in one dimension or three: what `Scene::start` says. `Exact` is the
-/// scene's movement in closed form, made from the scene (the stage's exact.hpp).
+/// scene's movement in closed form, made from the scene (the stage's exact.hpp). A scene whose
+/// floor moves has a `floor_height(t)`, which the trace shows in a column of its own, an energy
+/// that depends on the time, and `floor_power(t, state)`: what the moving floor gives to the ball.
 template <class Scene, class Exact>
 class SceneSimulation final : public Simulation {
  public:
@@ -46,16 +48,18 @@ class SceneSimulation final : public Simulation {
             Method::rk4, Method::exact};
   }
   std::vector<std::string> columns() const override {
-    if constexpr (dimensions == 1) {
+    if constexpr (floor_moves) {
+      return {"floor", "y", "v"};
+    } else if constexpr (dimensions == 1) {
       return {"y", "v"};
     } else {
       return {"x", "y", "z", "vx", "vy", "vz"};
     }
   }
-  std::vector<double> values() const override { return numbers_of(state_); }
+  std::vector<double> values() const override { return row(time(), state_); }
   std::vector<double> exact_values(double t) const override {
     const std::optional<State<Vector>> exact = exact_state(t);
-    return exact ? numbers_of(*exact) : std::vector<double>{};
+    return exact ? row(t, *exact) : std::vector<double>{};
   }
   std::optional<ContactNumbers> contact() const override {
     if constexpr (requires { scene_.floor; }) {
@@ -78,7 +82,7 @@ class SceneSimulation final : public Simulation {
   }
 
   void place(const std::vector<double>& values) override {
-    state_ = state_from(values, 0);
+    state_ = state_from(values, values.size() - 2 * dimensions);
     parameters_changed();
   }
   void parameters_changed() override {
@@ -90,16 +94,21 @@ class SceneSimulation final : public Simulation {
     return method() == Method::exact ? walker_.next_event() : never;
   }
 
-  Energy energy() const override { return scene_.energy(state_); }
+  Energy energy() const override { return energy_of(state_); }
   std::optional<double> exact_energy() const override {
     const std::optional<State<Vector>> exact = exact_state(time());
     if (!exact) return std::nullopt;
-    return scene_.energy(*exact).total();
+    return energy_of(*exact).total();
   }
   void keep_energy_book(bool keep) override { keep_book_ = keep; }
-  double energy_before() const override { return energy_before_; }
+  double energy_before() const override {
+    return floor_moves && method() == Method::exact ? energy().total() : energy_before_;
+  }
   double energy_lost() const override {
-    return method() == Method::exact ? energy_before_ - energy().total() : lost_;
+    // Without steps there is no book. Beside a floor at rest, what is missing was lost; what a
+    // moving floor gave and the damper took cannot be told apart.
+    if (method() == Method::exact) return energy_before() - energy().total();
+    return lost_;
   }
 
  protected:
@@ -182,7 +191,23 @@ class SceneSimulation final : public Simulation {
 
  private:
   using Walker = EventDriven<Exact, Vector>;
+  static constexpr bool floor_moves = requires(const Scene& scene) { scene.floor_height(0.0); };
   static constexpr std::size_t dimensions = sizeof(Vector) / sizeof(double);
+
+  Energy energy_of(const State<Vector>& state) const {
+    if constexpr (floor_moves) {
+      return scene_.energy(time(), state);
+    } else {
+      return scene_.energy(state);
+    }
+  }
+
+  // What the trace shows of a state at `t`.
+  std::vector<double> row(double t, const State<Vector>& state) const {
+    std::vector<double> all = numbers_of(state);
+    if constexpr (floor_moves) all.insert(all.begin(), scene_.floor_height(t));
+    return all;
+  }
 
   // State <-> plain numbers, in the order of the trace: position, then velocity.
   static void append(std::vector<double>& all, const Vector& vector) {
@@ -206,11 +231,19 @@ class SceneSimulation final : public Simulation {
     return bounce::is_finite(state.position) && bounce::is_finite(state.velocity);
   }
 
-  // The damper's work over one step, by the midpoint rule.
+  // The damper's work over one step, and the moving floor's, by the midpoint rule.
   void book(double t, const State<Vector>& before, const State<Vector>& after, double dt) {
-    if constexpr (requires { scene_.damper_force(t, before); }) {
-      const State<Vector> middle{(before.position + after.position) / 2,
-                                 (before.velocity + after.velocity) / 2};
+    [[maybe_unused]] const State<Vector> middle{(before.position + after.position) / 2,
+                                                (before.velocity + after.velocity) / 2};
+    if constexpr (floor_moves) {
+      const Energy energy = scene_.energy(t, before);
+      if (energy.spring == 0 && scene_.energy(t + dt, after).spring > 0) {  // a touch: a new page
+        energy_before_ = energy.total();
+        lost_ = 0;
+      }
+      energy_before_ += scene_.floor_power(t + dt / 2, middle) * dt;
+      lost_ += scene_.damper_power(t + dt / 2, middle) * dt;
+    } else if constexpr (requires { scene_.damper_force(t, before); }) {
       lost_ -= dot(scene_.damper_force(t + dt / 2, middle), middle.velocity) * dt;
     }
   }

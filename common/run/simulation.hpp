@@ -82,10 +82,11 @@ class Simulation {
   virtual double next_event() const = 0;
 
   // ---- Energy since the last restart or change of parameters [J]. Whatever is not here now and
-  // was not taken by the damper is the method's error. Keeping the damper's book costs as much as a
+  // was not taken by the damper is the method's error. On a moving floor, which gives and takes all
+  // the time, the book opens anew with every touch. Keeping the damper's book costs as much as a
   // step, so that only the window does it.
   virtual void keep_energy_book(bool keep) = 0;
-  virtual double energy_before() const = 0;
+  virtual double energy_before() const = 0;                // and what a moving floor gave since
   virtual double energy_lost() const = 0;                  // to the damper; 0 while no book is kept
   virtual std::optional<double> exact_energy() const = 0;  // of the exact solution, now
 

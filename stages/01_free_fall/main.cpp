@@ -11,8 +11,8 @@ using Run = SceneSimulation<FreeFall, FreeFallExact>;
 
 static BallOnALine ball(const Player& player) {
   const FreeFall scene = static_cast<const Run&>(player.simulation()).scene();
-  const auto forces = [scene](const State<double>& state) {
-    return ForcesOnALine{scene.force(0, state), 0, 0};
+  const auto forces = [scene](double t, const State<double>& state) {
+    return ForcesOnALine{scene.force(t, state), 0, 0};
   };
   BallOnALine look{.radius = 0.12, .forces = forces};  // drawn with a radius; the law has none
   look.floor = false;

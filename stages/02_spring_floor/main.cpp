@@ -11,7 +11,7 @@ using Run = SceneSimulation<SpringFloor, SpringFloorExact>;
 
 static BallOnALine ball(const Player& player) {
   const SpringFloor scene = static_cast<const Run&>(player.simulation()).scene();
-  const auto forces = [scene](const State<double>& state) {
+  const auto forces = [scene](double /*t*/, const State<double>& state) {
     const double overlap = std::max(0.0, scene.radius - state.position);
     return ForcesOnALine{-scene.mass * scene.gravity, scene.stiffness * overlap, 0};
   };

@@ -11,10 +11,10 @@ using Run = SceneSimulation<Damping, DampingExact>;
 
 static BallOnALine ball(const Player& player) {
   const Damping scene = static_cast<const Run&>(player.simulation()).scene();
-  const auto forces = [scene](const State<double>& state) {
+  const auto forces = [scene](double t, const State<double>& state) {
     return ForcesOnALine{-scene.mass * scene.gravity,
                          std::max(0.0, scene.stiffness * (scene.radius - state.position)),
-                         scene.damper_force(0, state)};
+                         scene.damper_force(t, state)};
   };
   return {.radius = scene.radius, .forces = forces};
 }

@@ -26,8 +26,8 @@ Demo demo() {
   demo.make = [] { return std::make_unique<Run>(); };
   use_side_view(demo, [](const Player& player) {
     const Damping scene = static_cast<const Run&>(player.simulation()).scene();
-    return BallOnALine{.radius = scene.radius, .forces = [scene](const State<double>& s) {
-                         return ForcesOnALine{-9.81, 0, scene.damper_force(0, s)};
+    return BallOnALine{.radius = scene.radius, .forces = [scene](double t, const State<double>& s) {
+                         return ForcesOnALine{-9.81, 0, scene.damper_force(t, s)};
                        }};
   });
   return demo;

@@ -1,0 +1,71 @@
+#pragma once
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/drawing.hpp"
+#include "app/layout.hpp"
+#include "app/palette.hpp"
+
+namespace bounce {
+
+/// One dot of the picture: a bounce, at one value of the parameter that is swept.
+struct SweepRow {
+  double parameter, phase, height;
+};
+
+/// One diagram: `value` of every row against the parameter, a pixel each.
+inline void draw_diagram(Canvas& canvas, Rect box, const std::vector<SweepRow>& rows, Range across,
+                         double SweepRow::*value, Range up, const std::string& title) {
+  const auto at = [&](double x, double y) {
+    const double u = (x - across.lowest) / (across.highest - across.lowest);
+    const double v = (y - up.lowest) / (up.highest - up.lowest);
+    return Point{box.x + static_cast<float>(u) * box.width,
+                 box.bottom() - static_cast<float>(v) * box.height};
+  };
+  char text[32];
+  for (const double y : ticks(up.lowest, up.highest, 5)) {
+    const std::array<Point, 2> line{at(across.lowest, y), at(across.highest, y)};
+    canvas.line(line, palette::grid_major, 1);
+    std::snprintf(text, sizeof text, "%.3g", y);
+    canvas.text({box.x - 10, line[0].y - 8}, text, palette::ink, Align::right, TextSize::tick);
+  }
+  for (const double x : ticks(across.lowest, across.highest, 10)) {
+    const std::array<Point, 2> line{at(x, up.lowest), at(x, up.highest)};
+    canvas.line(line, palette::grid_minor, 1);
+    std::snprintf(text, sizeof text, "%.4g", x);
+    canvas.text({line[0].x, box.bottom() + 6}, text, palette::ink, Align::centre, TextSize::tick);
+  }
+  draw_label(canvas, {box.x, box.y - 24}, title, palette::ink, Align::left, TextSize::normal);
+
+  std::set<std::pair<int, int>> drawn;  // many bounces, few places: one dot for each
+  for (const SweepRow& row : rows) {
+    const Point dot = at(row.parameter, row.*value);
+    const std::pair<int, int> pixel(static_cast<int>(dot.x), static_cast<int>(dot.y));
+    if (!drawn.insert(pixel).second) continue;
+    const auto x = static_cast<float>(pixel.first), y = static_cast<float>(pixel.second);
+    draw_rect(canvas, {x, y, 1.5f, 1.5f}, palette::motion.faded(0.6));
+  }
+}
+
+/// Where bounces settle, against the parameter: their height, and the floor's angle at the impact.
+inline void draw_bifurcation(Canvas& canvas, const std::vector<SweepRow>& rows, Range across,
+                             const std::string& name, const std::string& unit) {
+  double highest = 0;
+  for (const SweepRow& row : rows) highest = std::max(highest, row.height);
+  const std::vector<double> round = ticks(0, highest, 5);
+  const double top = round.size() > 1 ? round.back() + round[1] : 1;
+  const float width = layout::width - 120;
+  draw_diagram(canvas, {80, 60, width, 370}, rows, across, &SweepRow::height, {0, top},
+               "height of the bounce, m");
+  draw_diagram(canvas, {80, 494, width, 160}, rows, across, &SweepRow::phase,
+               {0, 2 * std::numbers::pi}, "angle of the floor's swing at the impact, rad");
+  canvas.text({80 + width, 684}, name + ", " + unit, palette::ink, Align::right, TextSize::normal);
+}
+
+}  // namespace bounce

@@ -1,0 +1,300 @@
+#pragma once
+#include <cmath>
+#include <complex>
+
+#include "forced_oscillator.hpp"
+#include "oscillating_floor.hpp"
+#include "physics/closed_form.hpp"
+#include "physics/first_zero.hpp"
+
+namespace bounce {
+
+/// Stage 6 in closed form, for all three floor laws. In flight the ball follows a parabola; in
+/// contact it is an oscillator that the floor shakes. When a phase ends is not known by formula:
+/// it is the first zero of the gap between ball and floor, or of the contact force, and the search
+/// (first_zero.hpp) skips none, because it knows bounds on how fast these can change.
+class OscillatingFloorExact {
+ public:
+  explicit OscillatingFloorExact(const OscillatingFloor& scene)
+      : scene_(scene),
+        w_(scene.angular_frequency),
+        sag_(scene.mass * scene.gravity / scene.stiffness),
+        omega0_(natural_frequency(scene.stiffness, scene.mass)),
+        beta_(scene.damping / (2 * scene.mass)),
+        relative_(scene.floor_law == FloorLaw::relative),
+        switched_(scene.floor_law == FloorLaw::slides),
+        clamped_(scene.contact == ContactLaw::push_only && (scene.damping > 0 || switched_)),
+        oscillator_(omega0_, beta_, w_) {
+    begin(0);
+    shaking_size_ = std::abs(shaking_);
+  }
+
+  /// A phase begins at `t`; the times below count from here. The angle of the floor's swing is
+  /// reduced to one turn, once: after hours w t is so large that its rounding would be all that the
+  /// search for a zero sees.
+  void begin(double t) {
+    const double angle = w_ * t + scene_.phase;
+    swing_ = scene_.amplitude * Complex(std::cos(angle), std::sin(angle));  // these reduce exactly
+    height_ = scene_.floor_velocity * t;
+    shaking_ =
+        Complex(scene_.stiffness, relative_ ? scene_.damping * w_ : 0) * swing_ / scene_.mass;
+  }
+
+  Phase phase_at(const State<double>& state) const {
+    const Floor floor = floor_at_start();
+    if (!(gap(floor, state) < 0)) return Phase::flight;
+    return clamped_ && push(floor, state) <= 0 ? Phase::let_go : Phase::touch;
+  }
+
+  State<double> move(Phase phase, const State<double>& start, double t) const;
+  PhaseEnd end_of(Phase phase, const State<double>& start) const;
+
+  /// At a touch and at a lift-off the ball's height is known exactly.
+  State<double> at_event(Phase before, Phase after, State<double> state) const {
+    if (before == after) return state;
+    if (before == Phase::flight || after == Phase::flight) {
+      state.position = scene_.radius + (switched_ ? 0 : floor_at_start().height);
+    }
+    return state;
+  }
+
+  /// A ball can hover on the edge of a contact that pushes while gravity pulls it back in (`slides`
+  /// and `absolute` do this): ever shorter hops, and no end. A thousand such hops in a row, each
+  /// shorter than this, stop the run.
+  double shortest_phase() const { return 1e-4 / omega0_; }
+
+ private:
+  /// The floor's height [m] and its first three derivatives.
+  struct Floor {
+    double height, speed, acceleration, jerk;
+  };
+  Complex turn(double t) const { return {std::cos(w_ * t), std::sin(w_ * t)}; }
+  Floor floor_at(double t, Complex turned) const {
+    const Complex swing = swing_ * turned;
+    const double sine = swing.imag(), cosine = swing.real();
+    return {height_ + scene_.floor_velocity * t + sine, scene_.floor_velocity + w_ * cosine,
+            -w_ * w_ * sine, -w_ * w_ * w_ * cosine};
+  }
+  Floor floor_at(double t) const { return floor_at(t, turn(t)); }
+  Floor floor_at_start() const { return floor_at(0, 1); }
+
+  /// The ball is in contact while this is negative [m].
+  double gap(const Floor& floor, const State<double>& state) const {
+    return state.position - (switched_ ? 0 : floor.height) - scene_.radius;
+  }
+  /// Spring and damper together [N]; a contact that only pushes acts while this is positive.
+  double push(const Floor& floor, const State<double>& state) const {
+    const double damped = state.velocity - (relative_ ? floor.speed : 0);
+    return scene_.stiffness * (scene_.radius - state.position + floor.height) -
+           scene_.damping * damped;
+  }
+
+  Glimpse gap_in_flight(const State<double>& start, double t) const;
+  Glimpse push_in_flight(const State<double>& start, double t) const;
+  struct Touch;  // what gap and push need to know of the movement in contact
+  Touch touch_at(const State<double>& start, double t) const;
+  Glimpse overlap_in_touch(const State<double>& start, double t) const;
+  Glimpse push_in_touch(const State<double>& start, double t) const;
+  bool stays(const State<double>& start) const;
+
+  PhaseEnd end_of_flight(const State<double>& start) const;
+  PhaseEnd end_of_contact(Phase phase, const State<double>& start) const;
+
+  // The height that the spring would hold above the steadily moving floor: the oscillator swings
+  // about it. An absolute damper under a moving floor weighs c u more.
+  double rest_height() const {
+    const double pressed = relative_ ? 0 : scene_.damping * scene_.floor_velocity;
+    return height_ + scene_.radius - sag_ - pressed / scene_.stiffness;
+  }
+  State<double> ball_in_touch(const State<double>& start, double t, Complex turned) const {
+    const double rest = rest_height(), u = scene_.floor_velocity;
+    const State<double> x =
+        oscillator_.move({start.position - rest, start.velocity - u}, shaking_, t, turned);
+    return {rest + u * t + x.position, u + x.velocity};
+  }
+
+  static constexpr int patience = 200;  // steps of a search; then it goes on as a phase of its own
+
+  OscillatingFloor scene_;
+  double w_;       // rad/s, of the floor
+  double sag_;     // m, of the spring under the ball's weight
+  double omega0_;  // rad/s, of the ball on the spring
+  double beta_;    // 1/s
+  bool relative_;  // the damper knows the floor's speed
+  bool switched_;  // the slides' switch: contact below y = r, wherever the floor is
+  bool clamped_;   // push-only, where that makes a difference
+  ForcedOscillator oscillator_;
+  double shaking_size_ = 0;  // m/s^2
+  // When the phase began:
+  double height_ = 0;  // m, of the floor's steady movement
+  Complex swing_;      // the floor's swing is Im(swing e^(i w t)) [m],
+  Complex shaking_;    // and what the oscillator feels of it, Im(shaking e^(i w t)) [m/s^2]
+};
+
+// ---- Movement -----------------------------------------------------------------------------------
+
+inline State<double> OscillatingFloorExact::move(Phase phase, const State<double>& start,
+                                                 double t) const {
+  return phase == Phase::touch ? ball_in_touch(start, t, turn(t)) : fly(start, scene_.gravity, t);
+}
+
+// ---- Flight (and let go: the ball overlaps, but nothing acts on it) -----------------------------
+
+inline Glimpse OscillatingFloorExact::gap_in_flight(const State<double>& start, double t) const {
+  const State<double> ball = fly(start, scene_.gravity, t);
+  const Floor floor = floor_at(t);
+  if (switched_) return {gap(floor, ball), ball.velocity, -scene_.gravity, scene_.gravity, 0};
+  const double most = scene_.amplitude * w_ * w_;  // of the floor's acceleration
+  return {gap(floor, ball), ball.velocity - floor.speed, -scene_.gravity - floor.acceleration,
+          scene_.gravity + most, most * w_};
+}
+
+// push = k (r - y + h) - c (v - h'), with y'' = -g; without the h' where the damper is absolute.
+inline Glimpse OscillatingFloorExact::push_in_flight(const State<double>& start, double t) const {
+  const double k = scene_.stiffness, c = scene_.damping, g = scene_.gravity;
+  const double c_floor = relative_ ? c : 0;
+  const State<double> ball = fly(start, g, t);
+  const Floor floor = floor_at(t);
+  const double most = scene_.amplitude * w_ * w_, most_jerk = most * w_;
+  return {push(floor, ball),
+          k * (floor.speed - ball.velocity) + c * g + c_floor * floor.acceleration,
+          k * (floor.acceleration + g) + c_floor * floor.jerk, k * (most + g) + c_floor * most_jerk,
+          k * most_jerk + c_floor * most_jerk * w_};
+}
+
+inline PhaseEnd OscillatingFloorExact::end_of_flight(const State<double>& start) const {
+  // Nothing is touched above the highest point of the swing: fall there by formula.
+  const double highest = switched_ ? 0 : height_ + scene_.amplitude;
+  const double above = start.position - scene_.radius - highest;
+  double t = 0;
+  if (above > 0) {
+    const double falling = start.velocity - (switched_ ? 0 : scene_.floor_velocity);
+    t = time_to_fall(above, falling, scene_.gravity);
+    if (t == never) return {never, Phase::touch};
+  }
+  const auto gap_at = [&](double s) { return gap_in_flight(start, s); };
+  const FirstZero touch = first_zero(gap_at, t, patience);
+  if (!touch.found) return {touch.t, Phase::flight};
+  if (!clamped_ || relative_) return {touch.t, Phase::touch};
+  // A damper that does not know the floor's speed may have to pull from the first moment on.
+  const double first_push = push(floor_at(touch.t), fly(start, scene_.gravity, touch.t));
+  return {touch.t, first_push > 0 ? Phase::touch : Phase::let_go};
+}
+
+// ---- Contact ------------------------------------------------------------------------------------
+
+/// The ball's acceleration in contact, a = -g + push / m, is itself a solution of the oscillator,
+/// shaken by the floor's acceleration. So sqrt(a^2 + (a'/omega0)^2), like the energy of a spring,
+/// never grows but by what the shaking adds: that bounds everything for some time to come.
+struct OscillatingFloorExact::Touch {
+  Floor floor;
+  State<double> ball;
+  double acceleration, jerk;  // m/s^2, m/s^3
+  double most;                // bounds |acceleration| for `window` seconds; |jerk| <= omega0 most
+  double shaking;             // bounds what shakes a [m/s^4]
+  double window;              // s
+};
+
+inline OscillatingFloorExact::Touch OscillatingFloorExact::touch_at(const State<double>& start,
+                                                                    double t) const {
+  const double k = scene_.stiffness, c = scene_.damping, m = scene_.mass;
+  const Complex turned = turn(t);
+  Touch now;
+  now.floor = floor_at(t, turned);
+  now.ball = ball_in_touch(start, t, turned);
+  now.acceleration = push(now.floor, now.ball) / m - scene_.gravity;
+  now.jerk = (k * (now.floor.speed - now.ball.velocity) -
+              c * (now.acceleration - (relative_ ? now.floor.acceleration : 0))) /
+             m;
+  now.shaking = w_ * w_ * shaking_size_;
+  now.window = 1 / omega0_;
+  const double a = now.acceleration, b = now.jerk / omega0_;
+  now.most = std::sqrt(a * a + b * b) + now.shaking * now.window / omega0_;
+  return now;
+}
+
+inline Glimpse OscillatingFloorExact::overlap_in_touch(const State<double>& start, double t) const {
+  const Touch now = touch_at(start, t);
+  const Floor still{};
+  const Floor& floor = switched_ ? still : now.floor;
+  const double most = switched_ ? 0 : scene_.amplitude * w_ * w_;
+  return {
+      -gap(floor, now.ball), floor.speed - now.ball.velocity, floor.acceleration - now.acceleration,
+      now.most + most,       omega0_ * now.most + w_ * most,  now.window};
+}
+
+inline Glimpse OscillatingFloorExact::push_in_touch(const State<double>& start, double t) const {
+  const double k = scene_.stiffness, c = scene_.damping, m = scene_.mass;
+  const Touch now = touch_at(start, t);
+  const double bend = k * (now.floor.acceleration - now.acceleration) -
+                      c * (now.jerk - (relative_ ? now.floor.jerk : 0));
+  // m a'' and m a''', bounded through a'' = shaking - 2 beta a' - omega0^2 a.
+  const double max_bend = now.shaking + omega0_ * (2 * beta_ + omega0_) * now.most;
+  const double max_turn =
+      w_ * now.shaking + 2 * beta_ * max_bend + omega0_ * omega0_ * omega0_ * now.most;
+  return {m * (now.acceleration + scene_.gravity),
+          m * now.jerk,
+          bend,
+          m * max_bend,
+          m * max_turn,
+          now.window};
+}
+
+/// Does the ball stay in contact for ever? The movement is a steady swing with the floor and a free
+/// one that the damper lets die. When both together cannot open the contact, it never opens.
+inline bool OscillatingFloorExact::stays(const State<double>& start) const {
+  const double u = scene_.floor_velocity;
+  const double to_floor = omega0_ * omega0_ - w_ * w_;
+  const Complex steady = shaking_ / Complex(to_floor, 2 * beta_ * w_);  // infinite at resonance
+  const Complex steady_rate = Complex(0, w_) * steady;
+  const double x = start.position - rest_height() - steady.imag();  // the free movement
+  const double v = start.velocity - u - steady_rate.imag();
+  const double free_swing = std::hypot(x, v / omega0_);  // never grows, nor does that of a:
+  const double a = -2 * beta_ * v - omega0_ * omega0_ * x;
+  const double free_a = std::hypot(a, (2 * beta_ * a + omega0_ * omega0_ * v) / omega0_);
+
+  const Complex floor = switched_ ? 0 : swing_;
+  double pressed = scene_.radius + height_ - rest_height();  // on average
+  if (switched_) {
+    if (u > 0) return false;  // the ball rides up, and out of the switch
+    pressed -= height_;
+  }
+  const bool overlaps = std::abs(steady - floor) + free_swing < pressed;
+  const bool pushes = w_ * w_ * std::abs(steady) + free_a < scene_.gravity;
+  return overlaps && (pushes || !clamped_);
+}
+
+inline PhaseEnd OscillatingFloorExact::end_of_contact(Phase phase,
+                                                      const State<double>& start) const {
+  const bool touching = phase == Phase::touch;
+  if (touching && stays(start)) return {never, Phase::flight};
+
+  const Phase other = touching ? Phase::let_go : Phase::touch;
+  FirstZero opens{never, false}, changes{never, false};
+  // A contact that only pushes and knows the floor's speed lets go before it opens.
+  if (!(touching && clamped_ && relative_)) {
+    const auto overlap = [&](double t) {
+      if (touching) return overlap_in_touch(start, t);
+      const Glimpse gap = gap_in_flight(start, t);
+      return Glimpse{-gap.value, -gap.slope, -gap.bend, gap.max_bend, gap.max_turn, gap.window};
+    };
+    opens = first_zero(overlap, 0, patience);
+  }
+  if (clamped_) {
+    const auto change = [&](double t) {
+      if (touching) return push_in_touch(start, t);
+      const Glimpse push = push_in_flight(start, t);
+      return Glimpse{-push.value,   -push.slope,   -push.bend,
+                     push.max_bend, push.max_turn, push.window};
+    };
+    changes = first_zero(change, 0, patience);
+  }
+  if (opens.t <= changes.t) return {opens.t, opens.found ? Phase::flight : phase};
+  return {changes.t, changes.found ? other : phase};
+}
+
+inline PhaseEnd OscillatingFloorExact::end_of(Phase phase, const State<double>& start) const {
+  return phase == Phase::flight ? end_of_flight(start) : end_of_contact(phase, start);
+}
+
+}  // namespace bounce
