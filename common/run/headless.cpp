@@ -93,7 +93,8 @@ std::string summary(const StageName& stage, Simulation& simulation, double start
   say("wall_s", wall);
   line += " steps=" + std::to_string(steps);
   const int each = force_evaluations_per_step(simulation.method());
-  line += " force_evaluations=" + std::to_string(steps * each);
+  const long long evaluations = steps * each + simulation.extra_force_evaluations();
+  line += " force_evaluations=" + std::to_string(evaluations);
   if (steps > 0) {
     const double ns = stepping / static_cast<double>(steps) * 1e9;
     say("ns_per_step", ns);
@@ -108,7 +109,8 @@ std::string summary(const StageName& stage, Simulation& simulation, double start
     say("position_error_m", error->position);
     say("velocity_error_m_per_s", error->velocity);
   }
-  return line;
+  const std::string more = simulation.summary();
+  return more.empty() ? line : line + " " + more;
 }
 
 }  // namespace
@@ -165,7 +167,7 @@ int run_headless(const StageName& stage, Simulation& simulation, const Options& 
 
 std::string step_warning(const Simulation& simulation) {
   const std::optional<ContactNumbers> contact = simulation.contact();
-  if (!contact || simulation.method() == Method::exact) return "";
+  if (!contact || simulation.method() == Method::exact || simulation.cuts_steps()) return "";
   const double limit = largest_stable_step(simulation.method(), contact->omega0, contact->zeta);
   if (simulation.dt() <= limit) return "";
   double comfortable = comfortable_step(contact->omega0, contact->zeta);
@@ -203,6 +205,10 @@ int guarded(const StageName& stage, const Simulation& simulation,
     return exit_physics;
   } catch (const TimeStandsStill& error) {
     say("events no longer advance time at t = " + to_rounded_text(error.t, 6) +
+        " s: take a stepping method, such as --method semi-implicit-euler");
+    return exit_physics;
+  } catch (const NoClosedForm& error) {
+    say(std::string(error.what()) + " at t = " + to_rounded_text(error.t, 6) +
         " s: take a stepping method, such as --method semi-implicit-euler");
     return exit_physics;
   } catch (const std::exception& error) {
