@@ -362,6 +362,7 @@ void RacketRun::each_number(Round& round, const Visit& visit) {
   }
   visit(round.input_age);
   visit(round.clock);
+  visit(round.lost_clock);
   visit(round.touch_speed);
   visit(round.touch_clock);
   for (double& number : components(round.touch_place)) visit(number);

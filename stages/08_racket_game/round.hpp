@@ -36,8 +36,9 @@ struct Round {
   Input from, to;        // the racket's aim goes evenly from one to the other,
   double input_age = 0;  // and this is how long ago the other came [s]
   long long steps = 0;
-  double clock = 0;  // s
-  int number = 0;    // of the round, from 0
+  double clock = 0;       // s
+  int number = 0;         // of the round, from 0
+  double lost_clock = 0;  // when it was lost [s]
 
   // The last touch, for picture and sound
   long long touches = 0;
@@ -97,7 +98,7 @@ inline Round begin_round(const Settings& settings, int number, int best) {
     round.ball.velocity.setZero();
   } else if (settings.player != PlayerKind::none) {
     round.ball.velocity += Eigen::Vector3d(0, 1.2, 0);
-    round.ball.velocity += push(0.15, 0.35, settings.seed, static_cast<std::uint64_t>(number), 0);
+    round.ball.velocity += push(0.13, 0.25, settings.seed, static_cast<std::uint64_t>(number), 0);
   }
   return round;
 }
@@ -149,21 +150,20 @@ inline void take_input(Round& round, const Input& input) {
 /// racket of `scene`, and says how often the two touched.
 template <class MoveBall>
 void step(const Settings& settings, Round& round, double dt, const MoveBall& move_ball) {
-  if (round.score.lost) {
-    round.clock += dt;
-    return;
-  }
+  const Disc disc = move_racket(settings, round, dt);
+  ++round.steps;
+  round.clock += dt;
+  round.input_age += dt;
+  if (round.score.lost) return;
+
   Racket scene = settings.racket;
   scene.gravity = gravity_of(settings, round);
-  scene.disc = move_racket(settings, round, dt);
+  scene.disc = disc;
   scene.since = 0;
   scene.side = round.side;
   const Eigen::Vector3d before = round.ball.velocity - scene.disc.velocity;
   const long long touches = move_ball(scene, round.ball, dt);
   round.side = scene.side;
-  ++round.steps;
-  round.clock += dt;
-  round.input_age += dt;
 
   const NearestPoint nearest = scene.nearest(scene.disc_at(dt), round.ball.position);
   if (touches > 0) {
@@ -178,8 +178,9 @@ void step(const Settings& settings, Round& round, double dt, const MoveBall& mov
   const double above_floor =
       round.ball.position.y() - scene.radius - (home.y() - rules::floor_below);
   const bool touching = touches > 0 || nearest.distance < scene.radius;
-  if (round.score.watch(touching, above_racket, above_floor) &&
-      settings.player != PlayerKind::blind) {
+  const bool hit = round.score.watch(touching, above_racket, above_floor);
+  if (round.score.lost) round.lost_clock = round.clock;
+  if (hit && settings.player != PlayerKind::blind) {
     round.ball.velocity += push(0, 0.12, settings.seed, static_cast<std::uint64_t>(round.number),
                                 static_cast<std::uint64_t>(round.score.hits));
   }
