@@ -175,28 +175,31 @@ void draw_overlap(Canvas& canvas, Point centre, float radius, float ground) {
   canvas.line(segment, palette::ink, 1.5f);
 }
 
+/// An arrow up or down from `from`, with its name and size beside the tip: on the spring's side
+/// (left) or on the damper's.
 void draw_force(Canvas& canvas, Point from, double force, double weight, Colour colour,
-                double share, const char* name) {
+                double share, const std::string& name, Align side) {
   const float length = force_length(force, weight);
   if (length < 1) return;
   const Point tip{from.x, from.y - std::copysign(length, static_cast<float>(force))};
   draw_arrow(canvas, from, tip, colour.faded(share));
-  if (length < 14 || share < 0.4) return;
-  const std::string words = std::string(name) + " " + with_unit(std::abs(force), "N");
-  if (colour.red == palette::gravity.red) {
-    draw_label(canvas, {tip.x, tip.y + 6}, words, palette::ink, Align::centre);
-  } else {  // the spring's on its left, the damper's on its right
-    const bool left = colour.red == palette::spring.red;
-    draw_label(canvas, {tip.x + (left ? -8 : 8), tip.y - (force > 0 ? 2 : 12)}, words, palette::ink,
-               left ? Align::right : Align::left);
-  }
+  if (length < 14 || share < 0.4 || name.empty()) return;
+  const float away = side == Align::right ? -8.0f : 8.0f;
+  draw_label(canvas, {tip.x + away, tip.y - (force > 0 ? 2 : 12)},
+             name + " " + with_unit(std::abs(force), "N"), palette::ink, side);
 }
 
 void draw_forces(Canvas& canvas, const Player& player, const View& view, const BallOnALine& ball,
                  Point centre, float radius, float ground) {
   const ForcesOnALine now = ball.forces(player.shown_time(), state_of(ball, player.shown_values()));
   const double weight = std::abs(now.gravity);
-  draw_force(canvas, centre, now.gravity, weight, palette::gravity, 1, "weight");
+  draw_force(canvas, centre, now.gravity, weight, palette::gravity, 1, "", Align::left);
+  if (weight > 0) {  // beside the ball, where no other arrow comes
+    const Point at = ball.strobe ? Point{centre.x, centre.y + radius + 16}
+                                 : Point{centre.x - radius - 8, centre.y - 8};
+    draw_label(canvas, at, "weight " + with_unit(weight, "N"), palette::ink,
+               ball.strobe ? Align::centre : Align::right);
+  }
   if (!view.forces) return;
 
   // A contact is over in two frames: its largest force stays in sight for a while.
@@ -212,13 +215,13 @@ void draw_forces(Canvas& canvas, const Player& player, const View& view, const B
   }
   const Point contact{centre.x, std::min(ground, centre.y + radius)};
   const Point left{contact.x - 10, contact.y}, right{contact.x + 10, contact.y};
-  if (now.spring > 0) {
-    draw_force(canvas, left, now.spring, weight, palette::spring, 1, "spring");
-    draw_force(canvas, right, now.damper, weight, palette::damper, 1, "damper");
+  if (now.spring != 0) {
+    draw_force(canvas, left, now.spring, weight, palette::spring, 1, "spring", Align::right);
+    draw_force(canvas, right, now.damper, weight, palette::damper, 1, "damper", Align::left);
   } else if (peak.spring > 0) {
     const double share = 0.9 * (1 - age / peak_hold);
     draw_force(canvas, {left.x, ground}, peak.spring, weight, palette::spring, share,
-               "spring, peak");
+               "spring, peak", Align::right);
   }
   const double speed = player.shown_values()[ball.column + 1];
   const Point foot{centre.x + radius + 40, centre.y};

@@ -45,7 +45,7 @@ class EventDriven {
   void pass_event() {
     crowded_ = end_.after > too_short() ? 0 : crowded_ + 1;
     if (crowded_ > 1000) throw TimeStandsStill(start_);
-    const State<Vector> arrived = phases_.move(phase_, state_, end_.after);
+    const State<Vector> arrived = arrival();
     start_ += end_.after;
     begin_phase();
     state_ = phases_.at_event(phase_, end_.next, arrived);
@@ -72,6 +72,14 @@ class EventDriven {
       return std::max(rounding, phases_.shortest_phase());
     }
     return rounding;
+  }
+  /// Where the current phase ends. Phases that know it from the search for the end have `arrive`.
+  State<Vector> arrival() const {
+    if constexpr (requires { phases_.arrive(state_, end_); }) {
+      return phases_.arrive(state_, end_);
+    } else {
+      return phases_.move(phase_, state_, end_.after);
+    }
   }
   void find_end() { end_ = phases_.end_of(phase_, state_); }
 

@@ -48,12 +48,12 @@ struct FirstZero {
 /// The first moment after `t` at which f, positive until then, comes down through zero. It walks by
 /// steps that are certain to be free of a root, so that none can be skipped, however close two of
 /// them are. Near the zero these steps are those of Newton's method, taken from the safe side: each
-/// doubles the number of right digits. After `max_steps` it says how far it came.
-/// `glimpse(t)` returns a Glimpse.
+/// doubles the number of right digits. After `max_steps`, and beyond `until`, it says how far it
+/// came. `glimpse(t)` returns a Glimpse.
 template <class Function>
-FirstZero first_zero(const Function& glimpse, double t, int max_steps) {
+FirstZero first_zero(const Function& glimpse, double t, double until, int max_steps) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  for (int i = 0; i < max_steps; ++i) {
+  for (int i = 0; i < max_steps && t <= until; ++i) {
     Glimpse f = glimpse(t);
     if (f.value <= 0 && (f.slope < 0 || (f.slope == 0 && f.bend < 0))) return {t, true};
     f.value = std::max(f.value, 0.0);  // below zero and rising: that is rounding at its start

@@ -27,11 +27,13 @@ void explicit_euler(const Scene& scene, double t, State<Vector>& state, double d
 
 /// The program of the slides: velocity first, then position with the *new* velocity (also called
 /// symplectic Euler). Order 1 as well, but on an undamped spring the energy stays in a band.
+// [semi_implicit_euler]
 template <class Scene, class Vector>
 void semi_implicit_euler(const Scene& scene, double t, State<Vector>& state, double dt) {
   state.velocity += scene.acceleration(t, state) * dt;
   state.position += state.velocity * dt;
 }
+// [semi_implicit_euler]
 
 /// Velocity Verlet as molecular dynamics programs write it (LAMMPS, `fix nve`): half a kick, a
 /// drift, half a kick. Order 2 when the acceleration depends on the position alone. A damper sees

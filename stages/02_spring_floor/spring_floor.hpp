@@ -18,9 +18,11 @@ struct SpringFloor {
   // [force]
   double force(double /*t*/, const State<double>& state) const {
     const double y = state.position;
-    double force = -mass * gravity;       // gravity, downwards
-    if (y < radius) {                     // only while the ball overlaps the floor:
-      force += stiffness * (radius - y);  // spring, in proportion to the overlap
+    // Gravity, downwards.
+    double force = -mass * gravity;
+    // Only while the ball overlaps the floor: a spring, in proportion to the overlap.
+    if (y < radius) {
+      force += stiffness * (radius - y);
     }
     return force;
   }

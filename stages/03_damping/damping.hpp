@@ -22,9 +22,11 @@ struct Damping {
   // [force]
   double force(double /*t*/, const State<double>& state) const {
     const double y = state.position, v = state.velocity;
-    double force = -mass * gravity;  // gravity, downwards
-    if (y < radius) {                // only while the ball overlaps the floor:
-      double push = stiffness * (radius - y) - damping * v;  // spring and damper
+    // Gravity, downwards.
+    double force = -mass * gravity;
+    // Only while the ball overlaps the floor: a spring, and a damper against the velocity.
+    if (y < radius) {
+      double push = stiffness * (radius - y) - damping * v;
       if (contact == ContactLaw::push_only) push = std::max(0.0, push);
       force += push;
     }

@@ -20,11 +20,13 @@ struct ThreeDimensionsExact {
     return floor ? upwards.phase_at(along_y(state)) : Phase::flight;
   }
   State<Eigen::Vector3d> move(Phase phase, const State<Eigen::Vector3d>& start, double t) const {
-    const State<Eigen::Vector3d> moved{start.position + start.velocity * t, start.velocity};
-    return with_y(moved, upwards.move(phase, along_y(start), t));
+    return with_y(sideways(start, t), upwards.move(phase, along_y(start), t));
   }
   PhaseEnd end_of(Phase phase, const State<Eigen::Vector3d>& start) const {
     return floor ? upwards.end_of(phase, along_y(start)) : PhaseEnd{never, Phase::flight};
+  }
+  State<Eigen::Vector3d> arrive(const State<Eigen::Vector3d>& start, const PhaseEnd& end) const {
+    return with_y(sideways(start, end.after), upwards.arrive(along_y(start), end));
   }
   State<Eigen::Vector3d> at_event(Phase before, Phase after,
                                   const State<Eigen::Vector3d>& state) const {
@@ -32,6 +34,9 @@ struct ThreeDimensionsExact {
   }
 
  private:
+  static State<Eigen::Vector3d> sideways(const State<Eigen::Vector3d>& start, double t) {
+    return {start.position + start.velocity * t, start.velocity};
+  }
   static State<double> along_y(const State<Eigen::Vector3d>& state) {
     return {state.position.y(), state.velocity.y()};
   }

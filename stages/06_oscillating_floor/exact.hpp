@@ -61,7 +61,7 @@ class OscillatingFloorExact {
   /// A ball can hover on the edge of a contact that pushes while gravity pulls it back in (`slides`
   /// and `absolute` do this): ever shorter hops, and no end. A thousand such hops in a row, each
   /// shorter than this, stop the run.
-  double shortest_phase() const { return 1e-4 / omega0_; }
+  double shortest_phase() const { return 1e-3 / omega0_; }
 
  private:
   /// The floor's height [m] and its first three derivatives.
@@ -173,7 +173,7 @@ inline PhaseEnd OscillatingFloorExact::end_of_flight(const State<double>& start)
     if (t == never) return {never, Phase::touch};
   }
   const auto gap_at = [&](double s) { return gap_in_flight(start, s); };
-  const FirstZero touch = first_zero(gap_at, t, patience);
+  const FirstZero touch = first_zero(gap_at, t, never, patience);
   if (!touch.found) return {touch.t, Phase::flight};
   if (!clamped_ || relative_) return {touch.t, Phase::touch};
   // A damper that does not know the floor's speed may have to pull from the first moment on.
@@ -278,7 +278,7 @@ inline PhaseEnd OscillatingFloorExact::end_of_contact(Phase phase,
       const Glimpse gap = gap_in_flight(start, t);
       return Glimpse{-gap.value, -gap.slope, -gap.bend, gap.max_bend, gap.max_turn, gap.window};
     };
-    opens = first_zero(overlap, 0, patience);
+    opens = first_zero(overlap, 0, never, patience);
   }
   if (clamped_) {
     const auto change = [&](double t) {
@@ -287,7 +287,7 @@ inline PhaseEnd OscillatingFloorExact::end_of_contact(Phase phase,
       return Glimpse{-push.value,   -push.slope,   -push.bend,
                      push.max_bend, push.max_turn, push.window};
     };
-    changes = first_zero(change, 0, patience);
+    changes = first_zero(change, 0, opens.t, patience);
   }
   if (opens.t <= changes.t) return {opens.t, opens.found ? Phase::flight : phase};
   return {changes.t, changes.found ? other : phase};

@@ -36,7 +36,8 @@ struct OscillatingFloor {
   double floor_height(double t) const {
     return floor_velocity * t + amplitude * std::sin(angular_frequency * t + phase);
   }
-  double floor_speed(double t) const {  // its derivative
+  // Its derivative.
+  double floor_speed(double t) const {
     return floor_velocity + amplitude * angular_frequency * std::cos(angular_frequency * t + phase);
   }
   // [floor]
@@ -45,8 +46,10 @@ struct OscillatingFloor {
   double force(double t, const State<double>& state) const {
     const double y = state.position, v = state.velocity;
     const double floor = floor_height(t);
-    double force = -mass * gravity;  // gravity, downwards
-    if (touches(y, floor)) {         // only while the ball overlaps the floor:
+    // Gravity, downwards.
+    double force = -mass * gravity;
+    // Only while the ball overlaps the floor: a spring, and a damper against the velocity.
+    if (touches(y, floor)) {
       double push = stiffness * (radius - y + floor) - damping * damped_velocity(t, v);
       if (contact == ContactLaw::push_only) push = std::max(0.0, push);
       force += push;
@@ -57,12 +60,14 @@ struct OscillatingFloor {
 
   // [laws]
   bool touches(double y, double floor) const {
-    if (floor_law == FloorLaw::slides) return y < radius;  // wherever the floor is
+    // The slides' switch: wherever the floor is.
+    if (floor_law == FloorLaw::slides) return y < radius;
     return y - floor < radius;
   }
   double damped_velocity(double t, double v) const {
     if (floor_law == FloorLaw::relative) return v - floor_speed(t);
-    return v;  // whatever the floor does
+    // Whatever the floor does.
+    return v;
   }
   // [laws]
 

@@ -24,10 +24,10 @@ struct TiltedPlaneExact {
     return along_normal.phase_at(normal_part(state));
   }
   State<Eigen::Vector3d> move(Phase phase, const State<Eigen::Vector3d>& start, double t) const {
-    State<Eigen::Vector3d> foot = foot_of(start);
-    foot.position += (foot.velocity + downhill * (t / 2)) * t;
-    foot.velocity += downhill * t;
-    return above(foot, along_normal.move(phase, normal_part(start), t));
+    return above(slide(foot_of(start), t), along_normal.move(phase, normal_part(start), t));
+  }
+  State<Eigen::Vector3d> arrive(const State<Eigen::Vector3d>& start, const PhaseEnd& end) const {
+    return above(slide(foot_of(start), end.after), along_normal.arrive(normal_part(start), end));
   }
   PhaseEnd end_of(Phase phase, const State<Eigen::Vector3d>& start) const {
     return along_normal.end_of(phase, normal_part(start));
@@ -46,6 +46,11 @@ struct TiltedPlaneExact {
   State<Eigen::Vector3d> foot_of(const State<Eigen::Vector3d>& state) const {
     const auto [distance, speed] = normal_part(state);
     return {state.position - distance * plane.normal, state.velocity - speed * plane.normal};
+  }
+  State<Eigen::Vector3d> slide(State<Eigen::Vector3d> foot, double t) const {
+    foot.position += (foot.velocity + downhill * (t / 2)) * t;
+    foot.velocity += downhill * t;
+    return foot;
   }
   State<Eigen::Vector3d> above(const State<Eigen::Vector3d>& foot,
                                const State<double>& normal_part) const {

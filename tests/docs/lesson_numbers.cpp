@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -14,6 +15,8 @@
 #include "01_free_fall/free_fall.hpp"
 #include "02_spring_floor/exact.hpp"
 #include "03_damping/exact.hpp"
+#include "04_three_dimensions/three_dimensions.hpp"
+#include "07_tilted_plane/exact.hpp"
 #include "physics/event_driven.hpp"
 #include "physics/integrators.hpp"
 #include "physics/stability.hpp"
@@ -374,6 +377,96 @@ void stable_steps() {
   }
 }
 
+// ---- Stage 4 ------------------------------------------------------------------------------------
+
+/// A mistake: the damper brakes the whole velocity, not only its part along the floor's normal.
+struct VectorDamper : ThreeDimensions {
+  Eigen::Vector3d acceleration(double t, const State<Eigen::Vector3d>& state) const {
+    const bool touches = state.position.y() < radius;
+    const Eigen::Vector3d sideways(state.velocity.x(), 0, state.velocity.z());
+    return (force(t, state) - (touches ? damping : 0) * sideways) / mass;
+  }
+};
+
+void vector_damper() {
+  header({"after touch", "velocity along x, right [m/s]", "velocity along x, wrong [m/s]"});
+  const ThreeDimensions right;
+  const VectorDamper wrong;
+  State<Eigen::Vector3d> a = right.start, b = wrong.start;
+  bool was_touching = false;
+  for (long n = 0, touches = 0; touches < 4; ++n) {
+    const double dt = 1e-4, t = static_cast<double>(n) * dt;
+    semi_implicit_euler(right, t, a, dt);
+    semi_implicit_euler(wrong, t, b, dt);
+    const bool is_touching = b.position.y() < wrong.radius;
+    if (was_touching && !is_touching) {
+      row({std::to_string(++touches), text("%.3f", a.velocity.x()), text("%.3f", b.velocity.x())});
+    }
+    was_touching = is_touching;
+  }
+}
+
+// ---- Stage 7 ------------------------------------------------------------------------------------
+
+/// Hops down a slope: their length along it, and the time from touch to touch.
+void slope_hops() {
+  header({"tilt", "stiffness [N/m]", "hop 1 [m]", "hop 2 [m]", "hop 3 [m]", "hop 4 [m]",
+          "from touch to touch [s]"});
+  for (const double degrees : {10.0, 20.0}) {
+    for (const double stiffness : {1e6, 1e4}) {
+      const double angle = degrees * std::numbers::pi / 180;
+      TiltedPlane scene;
+      scene.damping = 0;
+      scene.stiffness = stiffness;
+      scene.normal = {std::tan(angle), 1, 0};
+      scene.start.position.y() = 0.5 + scene.radius / std::cos(angle);  // falls by 0.5 m
+      EventDriven<TiltedPlaneExact, Eigen::Vector3d> ball(TiltedPlaneExact(scene), 0, scene.start);
+      std::vector<std::string> cells{text("%g degrees", degrees), text("%g", stiffness)};
+      double last_time = 0;
+      Eigen::Vector3d last_place;
+      for (int touches = 0; touches < 5; ++touches) {
+        ball.pass_event();  // the touch
+        const Eigen::Vector3d place = ball.state_at_last_event().position;
+        if (touches > 0) cells.push_back(text("%.2f", (place - last_place).norm()));
+        if (touches == 4) cells.push_back(text("%.4f", ball.last_event() - last_time));
+        last_time = ball.last_event();
+        last_place = place;
+        ball.pass_event();  // the lift-off
+      }
+      row(cells);
+    }
+  }
+}
+
+/// A mistake: the normal (1, 1, 0), of length 1.41, is used as it is.
+struct LongNormal : TiltedPlane {
+  Eigen::Vector3d used{1, 1, 0};
+  Eigen::Vector3d acceleration(double /*t*/, const State<Eigen::Vector3d>& state) const {
+    const double y = used.dot(state.position);
+    if (!(y < radius)) return Eigen::Vector3d::Zero();
+    return stiffness * (radius - y) * used / mass;
+  }
+};
+
+void long_normal() {
+  header({"normal used", "distance from the plane when the force begins [m]", "contact [ms]"});
+  for (const bool unit : {true, false}) {
+    LongNormal scene;
+    const Eigen::Vector3d n = scene.used.normalized();
+    if (unit) scene.used = n;
+    State<Eigen::Vector3d> state{0.5 * n, -1.0 * n};
+    const double dt = 1e-6;
+    const auto touches = [&] { return scene.used.dot(state.position) < scene.radius; };
+    const auto step = [&] { semi_implicit_euler(scene, 0, state, dt); };
+    while (!touches()) step();
+    const double distance = n.dot(state.position);
+    long steps = 0;
+    for (; touches(); ++steps) step();
+    row({unit ? "(1, 1, 0) / 1.41" : "(1, 1, 0)", text("%.4f", distance),
+         text("%.1f", static_cast<double>(steps) * dt * 1e3)});
+  }
+}
+
 struct Table {
   const char* name;
   void (*print)();
@@ -391,6 +484,9 @@ const Table tables[] = {
     {"bounces", bounces},
     {"rest", rest},
     {"stable_steps", stable_steps},
+    {"vector_damper", vector_damper},
+    {"slope_hops", slope_hops},
+    {"long_normal", long_normal},
     {"damped_error", [] { bounce_error<Damping, DampingExact>(damped(18)); }},
 };
 

@@ -1,7 +1,6 @@
 #include "docs/lesson_tool.hpp"
 
 #include <algorithm>
-#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -161,12 +160,35 @@ std::size_t end_of_block(const Lines& lines, std::size_t at, bool table) {
   throw Mistake("this fence is never closed: " + lines[at]);
 }
 
+/// `<!-- KIND: WHAT -->`
+struct Marker {
+  std::string kind, what;
+  explicit Marker(const std::string& line) {
+    const std::string begin = "<!-- ", end = " -->";
+    const std::size_t colon = line.find(": ");
+    if (line.rfind(begin, 0) != 0 || colon == std::string::npos ||
+        line.size() < colon + 2 + end.size() ||
+        line.compare(line.size() - end.size(), end.size(), end) != 0) {
+      throw Mistake("a marker looks like <!-- cut: FILE NAME -->");
+    }
+    kind = line.substr(begin.size(), colon - begin.size());
+    what = trimmed(line.substr(colon + 2, line.size() - end.size() - colon - 2));
+    const Lines kinds{"cut", "diff", "run", "list", "table", "by hand"};
+    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
+      throw Mistake("there is no marker of the kind '" + kind + "'");
+    }
+  }
+};
+
 void check_links(const std::string& line, const fs::path& folder) {
-  static const std::regex link(R"(\]\(([^)#\s]+)[^)]*\))");
-  for (std::sregex_iterator it(line.begin(), line.end(), link), end; it != end; ++it) {
-    const std::string target = (*it)[1];
-    if (target.find("://") != std::string::npos || target.rfind("mailto:", 0) == 0) continue;
-    if (!fs::exists(folder / target)) throw Mistake("this link leads nowhere: " + target);
+  for (std::size_t at = line.find("]("); at != std::string::npos; at = line.find("](", at + 2)) {
+    std::string target = line.substr(at + 2, line.find(')', at) - at - 2);
+    target.erase(std::min(target.find_first_of("# "), target.size()));
+    const bool elsewhere = target.empty() || target.find("://") != std::string::npos ||
+                           target.rfind("mailto:", 0) == 0;
+    if (!elsewhere && !fs::exists(folder / target)) {
+      throw Mistake("this link leads nowhere: " + target);
+    }
   }
 }
 
@@ -174,17 +196,15 @@ void check_links(const std::string& line, const fs::path& folder) {
 
 CheckedLesson check_lesson(const fs::path& root, const fs::path& file, const std::string& text,
                            const Runner& run) {
-  static const std::regex marker(R"(<!-- (cut|diff|run|list|table|by hand): (.+) -->)");
   const bool all_marked = file.filename().string().rfind("0", 0) == 0;  // in the numbered lessons
   const Lines lines = lines_of(text);
   CheckedLesson checked;
   Lines made;
   for (std::size_t i = 0, end; i < lines.size(); i = end) {
     end = i + 1;
-    std::smatch match;
     try {
-      if (std::regex_match(lines[i], match, marker)) {
-        const std::string kind = match[1], what = match[2];
+      if (lines[i].rfind("<!--", 0) == 0) {
+        const auto [kind, what] = Marker(lines[i]);
         end = lines.size();  // a fence that is never closed swallows the rest
         end = end_of_block(lines, i + 1, kind == "list" || kind == "table");
         if (kind != "by hand") {
@@ -208,8 +228,8 @@ CheckedLesson check_lesson(const fs::path& root, const fs::path& file, const std
         if (all_marked && lines[i] != "```sh") {
           throw Mistake("no marker says where this block comes from (or <!-- by hand: reason -->)");
         }
-      } else if (lines[i].rfind("<!--", 0) == 0) {
-        throw Mistake("this marker is not understood");
+      } else if (all_marked && (is_fence(trimmed(lines[i])) || lines[i].rfind("~~~", 0) == 0)) {
+        throw Mistake("a fence is ``` at the beginning of a line");
       } else {
         check_links(lines[i], (root / file).parent_path());
       }

@@ -25,6 +25,38 @@ TEST_CASE("the lessons show what the code says and what the programs print") {
   }
 }
 
+/// "./course play 3 --set damping=18" and "build/release/bin/03_damping --set damping=18" are both
+/// "03_damping --set damping=18"; empty for other commands.
+static std::string stage_command(std::string line) {
+  line.erase(std::min(line.find(" #"), line.size()));  // a comment
+  line.erase(line.find_last_not_of(' ') + 1);
+  const std::string play = "./course play ", bin = "build/release/bin/";
+  if (line.rfind(bin, 0) == 0) return line.substr(bin.size());
+  if (line.rfind(play, 0) != 0) return "";
+  for (const auto& entry : fs::directory_iterator(fs::path(BOUNCE_SOURCE_DIR) / "stages")) {
+    const std::string name = entry.path().filename().string();
+    if (name[1] == line[play.size()]) return name + line.substr(play.size() + 1);
+  }
+  return "00_there_is_no_such_stage";
+}
+
+TEST_CASE("every command in the lessons runs") {
+  const fs::path root = BOUNCE_SOURCE_DIR;
+  int commands = 0;
+  for (const fs::path& file : lesson_files(root)) {
+    std::ifstream text(root / file);
+    for (std::string line; std::getline(text, line);) {
+      const std::string command = stage_command(line);
+      if (command.empty()) continue;
+      ++commands;
+      CAPTURE(line);
+      const Outcome outcome = run_program(command + " --headless");
+      CHECK_MESSAGE(outcome.code == 0, file.string(), ": ", outcome.err);
+    }
+  }
+  CHECK(commands > 10);
+}
+
 // ---- The tool itself, on a small project of its own ---------------------------------------------
 
 namespace {
@@ -117,7 +149,11 @@ TEST_CASE("what only an author can mend is said, with its line, and the text is 
       {"\n<!-- cut: old.hpp law -->\n```cpp\nF = -m * g;\n", "never closed: ```cpp", 2},
       {"```sh\nls\n\n```sh\nls\n```\n", "never closed: ```sh", 1},
       {"```cpp\nint x;\n```\n", "no marker", 1},
-      {"<!-- cuts: old.hpp law -->\n", "not understood", 1},
+      {"- x\n  ```cpp\n", "beginning of a line", 2},
+      {"~~~\n", "beginning of a line", 1},
+      {"<!-- cuts: old.hpp law -->\n", "no marker of the kind 'cuts'", 1},
+      {"<!-- cut: old.hpp law\n", "a marker looks like", 1},
+      {"<!-- cut: -->\n", "a marker looks like", 1},
       {"One.\nSee [two](02_gone.md#start).\n", "leads nowhere: 02_gone.md", 2},
       {"![a ball](images/gone.png)\n", "leads nowhere: images/gone.png", 1},
   };

@@ -1,0 +1,335 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ball_collision.hpp"
+#include "physics/event_driven.hpp"
+#include "physics/integrators.hpp"
+#include "physics/stability.hpp"
+#include "run/options.hpp"
+#include "run/simulation.hpp"
+#include "scenes.hpp"
+
+namespace bounce {
+
+/// Runs the balls of a built-in scene, or those of a file.
+class BallsSimulation final : public Simulation {
+ public:
+  using Balls = State<Eigen::Matrix3Xd>;
+
+  BallsSimulation() {
+    choose_scene(BallScene::pair);
+    reset_state();
+  }
+
+  const BallCollision& scene() const { return scene_; }
+  const Balls& state() const { return state_; }
+  BallScene chosen_scene() const { return choice_.scene; }
+  bool has_own_balls() const { return own_balls_ != nullptr; }
+
+  /// Balls of the user's own, in place of a scene. `origin` is the file they came from.
+  void use_balls(Arrangement balls, const std::string& origin);
+  /// The option `--threads`: this stage's plain loop runs on one, and the result is the same.
+  void use_threads(int threads) { threads_ = threads; }
+
+  std::unique_ptr<Simulation> clone() const override {
+    return std::make_unique<BallsSimulation>(*this);
+  }
+  std::vector<Parameter> parameters() override;
+  std::vector<Method> methods() const override {
+    return {Method::explicit_euler, Method::semi_implicit_euler, Method::velocity_verlet,
+            Method::rk4};
+  }
+  std::vector<std::string> columns() const override {
+    return {"ball", "x", "y", "z", "vx", "vy", "vz"};
+  }
+  std::size_t balls() const override { return static_cast<std::size_t>(scene_.mass.size()); }
+  std::vector<double> values() const override;
+  std::string stage_options() const override;
+  std::optional<ContactNumbers> contact() const override;
+
+  void use_seed(std::uint64_t seed) override { seed_ = seed; }
+  void place(const std::vector<double>& values) override;
+  void parameters_changed() override {
+    verlet_.acceleration.reset();
+    compare_from_here();
+  }
+
+  Energy energy() const override { return scene_.energy(state_); }
+  void keep_energy_book(bool keep) override { keep_book_ = keep; }
+  double energy_before() const override { return energy_before_; }
+  double energy_lost() const override { return lost_; }
+
+  // There is no formula for many balls.
+  std::vector<double> exact_values(double /*t*/) const override { return {}; }
+  std::optional<StateError> error() const override { return std::nullopt; }
+  std::optional<double> exact_energy() const override { return std::nullopt; }
+  double next_event() const override { return never; }
+
+ protected:
+  void reset_state() override;
+  void compare_from_here() override {
+    energy_before_ = energy().total();
+    lost_ = 0;
+  }
+  void take_steps(long long count, double t, double dt) override;
+  void move_exactly_to(double /*t*/) override {}
+  bool is_finite() const override {
+    return state_.position.allFinite() && state_.velocity.allFinite();
+  }
+  std::vector<double> numbers() const override;
+  bool recall_numbers(const std::vector<double>& all) override;
+
+ private:
+  void choose_scene(BallScene scene);
+
+  BallCollision scene_;
+  SceneChoice choice_;
+  std::array<double, 2> tray_of_scene_{};  // while `tray` is still this, it follows the count
+  std::shared_ptr<const Arrangement> own_balls_;
+  std::string origin_;  // of the own balls
+  std::uint64_t seed_ = 1;
+  int threads_ = 1;
+
+  Balls state_;
+  VelocityVerlet<Eigen::Matrix3Xd> verlet_;
+  bool keep_book_ = false;
+  double energy_before_ = 0;
+  double lost_ = 0;
+};
+
+// ---- Setting it up
+
+/// A scene brings the parameters that suit it; whoever wants others sets them after it.
+inline void BallsSimulation::choose_scene(BallScene scene) {
+  own_balls_ = nullptr;
+  scene_ = BallCollision{};
+  choice_ = {scene, 2, 0};
+  switch (scene) {
+    case BallScene::pair:
+      scene_.gravity = 0;  // a table without friction, on which gravity has nothing to say
+      break;
+    case BallScene::break_up:
+      scene_.gravity = 0;
+      choice_.count = 16;
+      break;
+    case BallScene::cradle:
+      scene_.gravity = 0;
+      choice_.count = 5;
+      break;
+    case BallScene::tower:  // hard balls, so that the one is done before the other begins
+      scene_.stiffness = scene_.floor_stiffness = 1e5;
+      break;
+    case BallScene::drop:
+      choice_.count = 300;
+      choice_.gap = 0.0143;  // the lattice fills 35 % of the space
+      scene_.stiffness = scene_.floor_stiffness = 2e4;
+      scene_.damping = scene_.floor_damping = 20;
+      scene_.tray = {tray_for(choice_.count), tray_for(choice_.count)};
+      break;
+  }
+  tray_of_scene_ = scene_.tray;
+}
+
+inline void BallsSimulation::use_balls(Arrangement balls, const std::string& origin) {
+  choose_scene(BallScene::pair);
+  scene_.gravity = BallCollision{}.gravity;
+  own_balls_ = std::make_shared<const Arrangement>(std::move(balls));
+  origin_ = origin;
+}
+
+inline void BallsSimulation::reset_state() {
+  if (choice_.scene == BallScene::drop && scene_.tray == tray_of_scene_) {
+    scene_.tray = {tray_for(choice_.count), tray_for(choice_.count)};
+    tray_of_scene_ = scene_.tray;
+  }
+  const Arrangement start = own_balls_ ? *own_balls_ : arrange(choice_, scene_.tray, seed_);
+  scene_.mass = start.mass;
+  scene_.radius = start.radius;
+  state_ = start.balls;
+  parameters_changed();
+}
+
+inline std::vector<Parameter> BallsSimulation::parameters() {
+  Choice scenes{{"pair", "break", "cradle", "tower", "drop"},
+                [this] { return static_cast<std::size_t>(choice_.scene); },
+                [this](std::size_t index) { choose_scene(static_cast<BallScene>(index)); }};
+  Parameter scene{"scene", "", "the balls at the start; it brings its own defaults of all others",
+                  std::move(scenes)};
+  scene.is_start = scene.chooses_defaults = true;
+  Parameter count{"count",   "",  "balls of break, cradle and drop", &choice_.count, {1, 1e7},
+                  {2, 1000}, true};
+  count.is_whole = true;
+  Parameter gap{
+      "gap",        "m",      "between the balls at the start; in pair: how far off centre",
+      &choice_.gap, {0, 1e6}, {0, 0.25},
+      true};
+  Parameter floor_stiffness{"floor_stiffness",       "N/m",         "the same for floor and walls",
+                            &scene_.floor_stiffness, {1e-30, 1e30}, {500, 1e5}};
+  Parameter floor_damping{"floor_damping",       "N s/m",   "the same for floor and walls",
+                          &scene_.floor_damping, {0, 1e30}, {0, 300}};
+  Parameter tray{
+      "tray",    "m",   "walls at x = 0 and LX, z = 0 and LZ; 0 for none", Components(scene_.tray),
+      {0, 1e15}, {0, 5}};
+  return {scene,
+          count,
+          gap,
+          describe::gravity(scene_.gravity),
+          describe::stiffness(scene_.stiffness),
+          describe::damping(scene_.damping),
+          describe::contact(scene_.contact),
+          describe::floor(scene_.floor),
+          floor_stiffness,
+          floor_damping,
+          tray};
+}
+
+inline std::string BallsSimulation::stage_options() const {
+  std::string words;
+  if (own_balls_) words += " --balls " + origin_;
+  if (threads_ != 1) words += " --threads " + std::to_string(threads_);
+  if (seed_ != 1) words += " --seed " + std::to_string(seed_);
+  return words;
+}
+
+// ---- What it is
+
+/// The contact that asks for the smallest time step: between the two lightest balls, or of the
+/// lightest one with the floor. (A ball that touches several at a time asks for less still.)
+inline std::optional<ContactNumbers> BallsSimulation::contact() const {
+  double lightest = 1e300, second = 1e300;
+  for (const double mass : scene_.mass) {
+    second = std::min(second, std::max(mass, lightest));
+    lightest = std::min(lightest, mass);
+  }
+  std::optional<ContactNumbers> hardest;
+  const auto consider = [&hardest](double k, double c, double mass) {
+    const ContactNumbers contact{natural_frequency(k, mass), damping_ratio(k, c, mass)};
+    const auto limit = [](const ContactNumbers& of) {
+      return semi_implicit_euler_limit(of.zeta) / of.omega0;
+    };
+    if (!hardest || limit(contact) < limit(*hardest)) hardest = contact;
+  };
+  if (scene_.floor || scene_.tray[0] > 0 || scene_.tray[1] > 0) {
+    consider(scene_.floor_stiffness, scene_.floor_damping, lightest);
+  }
+  if (scene_.mass.size() > 1) {
+    consider(scene_.stiffness, scene_.damping, 1 / (1 / lightest + 1 / second));
+  }
+  return hardest;
+}
+
+/// A row for each ball.
+inline std::vector<double> BallsSimulation::values() const {
+  std::vector<double> rows;
+  rows.reserve(7 * balls());
+  for (Eigen::Index i = 0; i < scene_.mass.size(); ++i) {
+    rows.push_back(static_cast<double>(i));
+    for (int axis = 0; axis < 3; ++axis) rows.push_back(state_.position(axis, i));
+    for (int axis = 0; axis < 3; ++axis) rows.push_back(state_.velocity(axis, i));
+  }
+  return rows;
+}
+
+inline void BallsSimulation::place(const std::vector<double>& values) {
+  for (std::size_t i = 0; i < balls(); ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto column = static_cast<Eigen::Index>(i);
+      const std::size_t at = 7 * i + 1 + static_cast<std::size_t>(axis);
+      state_.position(axis, column) = values.at(at);
+      state_.velocity(axis, column) = values.at(at + 3);
+    }
+  }
+  parameters_changed();
+}
+
+// ---- Moving
+
+inline void BallsSimulation::take_steps(long long count, double t, double dt) {
+  Balls before;
+  const auto loop = [&](auto&& step) {
+    for (long long i = 0; i < count; ++i) {
+      if (keep_book_) before = state_;
+      step(scene_, t + static_cast<double>(i) * dt, state_, dt);
+      if (!keep_book_) continue;
+      // The dampers' work over the step, by the midpoint rule.
+      before.position = (before.position + state_.position) / 2;
+      before.velocity = (before.velocity + state_.velocity) / 2;
+      lost_ += scene_.damper_power(before) * dt;
+    }
+  };
+  using S = const BallCollision&;
+  switch (method()) {
+    case Method::explicit_euler:
+      return loop([](S s, double now, Balls& x, double h) { explicit_euler(s, now, x, h); });
+    case Method::semi_implicit_euler:
+      return loop([](S s, double now, Balls& x, double h) { semi_implicit_euler(s, now, x, h); });
+    case Method::velocity_verlet:
+      return loop(verlet_);
+    case Method::rk4:
+      return loop([](S s, double now, Balls& x, double h) { rk4(s, now, x, h); });
+    case Method::exact:
+      return;
+  }
+}
+
+// ---- As plain numbers: how many balls, whether they came from a file, and the seed; masses,
+// radii, positions, velocities; the start of balls from a file; what velocity Verlet carries.
+
+inline std::vector<double> BallsSimulation::numbers() const {
+  std::vector<double> all{static_cast<double>(balls()), own_balls_ ? 1.0 : 0.0,
+                          static_cast<double>(seed_)};
+  const auto append = [&all](const auto& matrix) {
+    all.insert(all.end(), matrix.data(), matrix.data() + matrix.size());
+  };
+  append(scene_.mass);
+  append(scene_.radius);
+  append(state_.position);
+  append(state_.velocity);
+  if (own_balls_) {
+    append(own_balls_->balls.position);
+    append(own_balls_->balls.velocity);
+  }
+  if (method() == Method::velocity_verlet && verlet_.acceleration) append(*verlet_.acceleration);
+  return all;
+}
+
+inline bool BallsSimulation::recall_numbers(const std::vector<double>& all) {
+  if (all.size() < 3 || !(all[0] >= 1 && all[0] <= 1e9) || !(all[2] >= 0 && all[2] <= 1e15)) {
+    return false;
+  }
+  const auto count = static_cast<std::size_t>(all[0]);
+  const bool own = all[1] == 1;
+  const std::size_t needed = 3 + count * (own ? 14 : 8);
+  const bool carries = all.size() == needed + 3 * count && method() == Method::velocity_verlet;
+  if (all.size() != needed && !carries) return false;
+
+  std::size_t next = 3;
+  const auto take = [&](auto&& matrix) {
+    std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(next), matrix.size(), matrix.data());
+    next += static_cast<std::size_t>(matrix.size());
+  };
+  Arrangement now(static_cast<Eigen::Index>(count));
+  take(now.mass);
+  take(now.radius);
+  take(now.balls.position);
+  take(now.balls.velocity);
+  if (!(now.mass.array() > 0).all() || !(now.radius.array() > 0).all()) return false;
+  seed_ = static_cast<std::uint64_t>(all[2]);
+  scene_.mass = now.mass;
+  scene_.radius = now.radius;
+  state_ = now.balls;
+  own_balls_ = nullptr;
+  if (own) {
+    take(now.balls.position);
+    take(now.balls.velocity);
+    own_balls_ = std::make_shared<const Arrangement>(now);
+  }
+  verlet_.acceleration.reset();
+  if (carries) take(verlet_.acceleration.emplace(3, now.mass.size()));
+  return true;
+}
+
+}  // namespace bounce
