@@ -23,7 +23,8 @@ class RacketExact {
         disc_radius_(scene.disc.radius),
         ball_radius_(scene.radius),
         gravity_(0, -scene.gravity, 0),
-        phases_{scene.mass, 0, scene.radius, {scene.stiffness, scene.damping, scene.contact}},
+        front_(phases(scene, 1)),
+        back_(phases(scene, -1)),
         side_(scene.side) {}
 
   Phase phase_at(const Ball& ball) {
@@ -70,10 +71,14 @@ class RacketExact {
   State<double> upwards(int side, const Ball& ball) const {
     return {side * normal_.dot(ball.position), side * normal_.dot(ball.velocity)};
   }
-  BouncePhases on_side(int side) const {
-    BouncePhases phases = phases_;
-    phases.gravity = -side * normal_.dot(gravity_);  // towards the disc
-    return phases;
+  const BouncePhases& on_side(int side) const { return side > 0 ? front_ : back_; }
+  /// Gravity towards the disc, on that side of it [m/s^2].
+  double pull(int side) const { return -side * normal_.dot(gravity_); }
+  static BouncePhases phases(const Racket& scene, int side) {
+    return {scene.mass,
+            side * scene.disc.normal.y() * scene.gravity,
+            scene.radius,
+            {scene.stiffness, scene.damping, scene.contact}};
   }
   Ball at_height(const Ball& ball, const State<double>& height) const {
     const State<double> old = upwards(side_, ball);
@@ -116,14 +121,13 @@ class RacketExact {
 
   double time_to_height(int side, const Ball& ball) const {
     const State<double> height = upwards(side, ball);
-    return time_to_fall(std::max(0.0, height.position - ball_radius_), height.velocity,
-                        on_side(side).gravity);
+    return time_to_fall(std::max(0.0, height.position - ball_radius_), height.velocity, pull(side));
   }
 
   /// When a ball beside the disc, at most its radius from the disc's plane, is further away again.
   double time_out_of_slab(int side, const Ball& ball) const {
     const State<double> height = upwards(side, ball);
-    const double g = on_side(side).gravity;
+    const double g = pull(side);
     const double below = time_to_fall(height.position + ball_radius_, height.velocity, g);
     const double above =
         time_to_fall(std::max(0.0, ball_radius_ - height.position), -height.velocity, -g);
@@ -167,7 +171,7 @@ class RacketExact {
   Eigen::Vector3d normal_;
   double disc_radius_, ball_radius_;
   Eigen::Vector3d gravity_;
-  BouncePhases phases_;
+  BouncePhases front_, back_;
   int side_;  // of the disc that the ball touches or touched last
   bool reaches_rim_ = false;
 };
