@@ -382,6 +382,8 @@ inline std::vector<double> RacketRun::numbers() const {
   Round round = round_;
   each_number(round, [&](auto& number) { all.push_back(static_cast<double>(number)); });
   all.push_back(static_cast<double>(next_entry_));
+  all.push_back(static_cast<double>(settings_.player));
+  all.push_back(static_cast<double>(settings_.seed));
   if (method() == Method::exact && walk_) {
     all.push_back(walk_->walker().last_event());
     for (const double number : ball_numbers(walk_->walker().state_at_last_event())) {
@@ -393,9 +395,9 @@ inline std::vector<double> RacketRun::numbers() const {
 }
 
 inline bool RacketRun::recall_numbers(const std::vector<double>& all) {
-  std::size_t expected = 13;
+  std::size_t expected = 15;
   each_number(round_, [&](auto&) { ++expected; });
-  const bool exact = method() == Method::exact && !is_game();
+  const bool exact = method() == Method::exact;
   if (all.size() != expected + (exact ? 8 : 0)) return false;
   round_.ball = ball_from(all, 0);
   from_racket_ = ball_from(all, 6);
@@ -404,6 +406,8 @@ inline bool RacketRun::recall_numbers(const std::vector<double>& all) {
     number = static_cast<std::remove_reference_t<decltype(number)>>(all[i++]);
   });
   next_entry_ = static_cast<std::size_t>(all[i++]);
+  settings_.player = static_cast<PlayerKind>(std::clamp(static_cast<int>(all[i++]), 0, 4));
+  settings_.seed = static_cast<std::uint64_t>(std::max(0.0, all[i++]));
   if (!exact) return true;
   const double phase = all.back();
   if (!(phase == 0 || phase == 1 || phase == 2)) return false;

@@ -495,7 +495,7 @@ TEST_CASE("stage 8: a saved game goes on as if it had not stopped") {
   whole.advance_to(4.321);
   save_state(path, stage, whole);
   whole.advance_to(9);
-  RacketRun resumed = game(PlayerKind::autopilot, 3);
+  RacketRun resumed;  // the file says who plays, and with which seed
   load_state(path, stage, resumed);
   resumed.advance_to(9);
   CHECK(ball_of(resumed).position == ball_of(whole).position);
@@ -506,7 +506,7 @@ TEST_CASE("stage 8: a saved game goes on as if it had not stopped") {
     ball.advance_to(0.4271);
     save_state(path, stage, ball);
     ball.advance_to(2);
-    RacketRun other = bare({}, method);
+    RacketRun other;
     load_state(path, stage, other);
     other.advance_to(2);
     const std::string name = name_of(method);
