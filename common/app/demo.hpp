@@ -17,6 +17,8 @@ struct View {
   bool trail = true;
   bool ghost = true;
   bool help = false;
+  bool calm = false;                // nothing that flashes
+  bool muted = false;               // no sound
   bool from_above = false;          // in space: the camera looks straight down
   std::vector<TracePoint> future;   // with the present setting, while a slider moves
   std::vector<TracePoint> earlier;  // with the setting before
@@ -37,6 +39,23 @@ struct Dial {
   Range range;
   std::function<double(const Simulation&)> get;
   std::function<void(Simulation&, double)> set;
+};
+
+/// What a player's hands do, for a demo that is a game: the keys that are down, and the mouse.
+struct Controls {
+  Point mouse{0, 0};
+  bool mouse_moved = false;  // since the last frame
+  bool button = false, space = false;
+  bool left = false, right = false, up = false, down = false;  // arrow keys
+  bool a = false, d = false, w = false, s = false;
+  bool less = false, more = false;  // minus and plus, when they go down
+  double seconds = 0;               // since the last frame
+};
+
+/// The last sound that a demo makes: how many there have been, and how hard the ball was hit [m/s].
+struct Knock {
+  long long count = 0;
+  double speed = 0;
 };
 
 /// A stage's demo: a simulation and its picture. Everything else - window, sliders, keys, command
@@ -64,6 +83,9 @@ struct Demo {
   /// nothing when it was not asked for; may be empty.
   std::function<std::optional<int>(Simulation&, const Options&)> other_work;
   bool bare = false;  // the picture alone: no panel, no plots
+  /// For a game: called once a frame, before time moves. Space and the arrows are the game's then.
+  std::function<void(Player&, const View&, const Controls&)> control;
+  std::function<Knock(const Player&)> knock;  // may be empty
 };
 
 /// The main program of every stage: reads the command line, and runs headless or in a window.

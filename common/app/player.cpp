@@ -100,6 +100,8 @@ void Player::move_to(double t) {
                step_warning(*simulation_);
   } catch (const TimeStandsStill& error) {
     trouble_ = "Events no longer advance time at t = " + to_rounded_text(error.t) + " s.";
+  } catch (const NoClosedForm& error) {
+    trouble_ = std::string(error.what()) + " at t = " + to_rounded_text(error.t) + " s.";
   }
 }
 

@@ -52,9 +52,12 @@ Window::Window(const Demo& demo, std::unique_ptr<Simulation> simulation, const O
   backend_->upload_fonts();
   panel_ = std::make_unique<Panel>(demo_, seen);
   view_.trail = !options.calm;
+  view_.calm = options.calm;
+  if (seen && demo_.knock) sound_ = std::make_unique<Sound>();
 }
 
 Window::~Window() {
+  sound_.reset();
   panel_.reset();
   backend_.reset();
   SDL_DestroyRenderer(renderer_);
@@ -65,7 +68,9 @@ bool Window::tick(double real_seconds) {
   clock_ += real_seconds;
   for (SDL_Event event; SDL_PollEvent(&event) != 0;) handle(event);
   drag();
+  if (is_game() && seen_) play_game(real_seconds);
   if (!holding_) player_.frame(real_seconds);
+  if (sound_) sound();
   if (seen_ && demo_.is_over && demo_.is_over(player_)) player_.restart();
   if ((SDL_GetWindowFlags(window_) & SDL_WINDOW_MINIMIZED) == 0) draw();
   return !closed_;
@@ -75,6 +80,7 @@ void Window::handle(const SDL_Event& event) {
   backend_->event(event);
   if (event.type == SDL_QUIT) closed_ = true;
   if (event.type == SDL_KEYDOWN) key(event.key.keysym.sym);
+  if (event.type == SDL_MOUSEMOTION) controls_.mouse_moved = true;
   if (event.type == SDL_MOUSEBUTTONDOWN && event.button.button == SDL_BUTTON_LEFT &&
       demo_.is_on_ball) {
     const Point at{static_cast<float>(event.button.x), static_cast<float>(event.button.y)};
@@ -84,7 +90,35 @@ void Window::handle(const SDL_Event& event) {
   if (event.type == SDL_MOUSEBUTTONUP) holding_ = false;
 }
 
+/// What the keys and the mouse are doing now goes to the game.
+void Window::play_game(double real_seconds) {
+  const Uint8* keys = SDL_GetKeyboardState(nullptr);
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  controls_.mouse = {mouse.x, mouse.y};
+  controls_.button = (SDL_GetMouseState(nullptr, nullptr) & SDL_BUTTON_LMASK) != 0;
+  controls_.space = keys[SDL_SCANCODE_SPACE] != 0;
+  controls_.left = keys[SDL_SCANCODE_LEFT] != 0;
+  controls_.right = keys[SDL_SCANCODE_RIGHT] != 0;
+  controls_.up = keys[SDL_SCANCODE_UP] != 0;
+  controls_.down = keys[SDL_SCANCODE_DOWN] != 0;
+  controls_.a = keys[SDL_SCANCODE_A] != 0;
+  controls_.d = keys[SDL_SCANCODE_D] != 0;
+  controls_.w = keys[SDL_SCANCODE_W] != 0;
+  controls_.s = keys[SDL_SCANCODE_S] != 0;
+  controls_.seconds = real_seconds;
+  demo_.control(player_, view_, controls_);
+  controls_.mouse_moved = controls_.less = controls_.more = false;
+}
+
+void Window::sound() {
+  const Knock knock = demo_.knock(player_);
+  if (knock.count > knocks_ && !view_.muted) sound_->knock(knock.speed);
+  knocks_ = knock.count;
+}
+
 void Window::key(SDL_Keycode key) {
+  const bool is_for_the_game = key == SDLK_SPACE || key == SDLK_LEFT || key == SDLK_RIGHT;
+  if (is_game() && is_for_the_game) return;
   switch (key) {
     case SDLK_ESCAPE:
       closed_ = true;
@@ -112,6 +146,18 @@ void Window::key(SDL_Keycode key) {
       break;
     case SDLK_t:
       view_.from_above = demo_.in_space && !view_.from_above;
+      break;
+    case SDLK_m:
+      view_.muted = !view_.muted;
+      break;
+    case SDLK_MINUS:
+    case SDLK_KP_MINUS:
+      controls_.less = true;
+      break;
+    case SDLK_PLUS:
+    case SDLK_EQUALS:
+    case SDLK_KP_PLUS:
+      controls_.more = true;
       break;
     case SDLK_F1:
       view_.help = !view_.help;

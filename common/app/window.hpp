@@ -9,6 +9,7 @@
 #include "app/panel.hpp"
 #include "app/picture_files.hpp"
 #include "app/plots.hpp"
+#include "app/sound.hpp"
 
 namespace bounce {
 
@@ -44,6 +45,9 @@ class Window {
   void handle(const SDL_Event& event);
   void key(SDL_Keycode key);
   void drag();
+  bool is_game() const { return demo_.control && demo_.bare; }
+  void play_game(double real_seconds);
+  void sound();
   void draw();
   void draw_help();
   void read_pixels();
@@ -65,6 +69,9 @@ class Window {
     Point at;
   };
   std::deque<MouseSample> mouse_;  // while the ball is held, the last 80 ms
+  Controls controls_;
+  std::unique_ptr<Sound> sound_;  // empty where nobody listens
+  long long knocks_ = 0;
   bool holding_ = false;
   double clock_ = 0;  // real seconds since the start
   bool closed_ = false;

@@ -111,7 +111,8 @@ std::string summary(const StageName& stage, Simulation& simulation, double start
     say("position_error_m", error->position);
     say("velocity_error_m_per_s", error->velocity);
   }
-  return line;
+  const std::string more = simulation.summary();
+  return more.empty() ? line : line + " " + more;
 }
 
 }  // namespace
@@ -167,7 +168,7 @@ int run_headless(const StageName& stage, Simulation& simulation, const Options& 
 
 std::string step_warning(const Simulation& simulation) {
   const std::optional<ContactNumbers> contact = simulation.contact();
-  if (!contact || simulation.method() == Method::exact) return "";
+  if (!contact || simulation.method() == Method::exact || simulation.cuts_steps()) return "";
   const double limit = largest_stable_step(simulation.method(), contact->omega0, contact->zeta);
   if (simulation.dt() <= limit) return "";
   double comfortable = comfortable_step(contact->omega0, contact->zeta);
@@ -205,6 +206,10 @@ int guarded(const StageName& stage, const Simulation& simulation,
     return exit_physics;
   } catch (const TimeStandsStill& error) {
     say("events no longer advance time at t = " + to_rounded_text(error.t, 6) +
+        " s: take a stepping method, such as --method semi-implicit-euler");
+    return exit_physics;
+  } catch (const NoClosedForm& error) {
+    say(std::string(error.what()) + " at t = " + to_rounded_text(error.t, 6) +
         " s: take a stepping method, such as --method semi-implicit-euler");
     return exit_physics;
   } catch (const std::exception& error) {

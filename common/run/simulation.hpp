@@ -18,6 +18,12 @@ struct NonFinite : std::runtime_error {
   double t;
 };
 
+/// The method has no formula for what comes next. `t` is how far it got.
+struct NoClosedForm : std::runtime_error {
+  NoClosedForm(double t_end, const std::string& why) : std::runtime_error(why), t(t_end) {}
+  double t;
+};
+
 /// What the stiffest contact of a scene is like (contact.hpp), for warnings about the time step.
 struct ContactNumbers {
   double omega0;  // rad/s
@@ -58,6 +64,10 @@ class Simulation {
   virtual std::optional<StateError> error() const = 0;           // against the exact solution, now
 
   virtual std::size_t balls() const { return 1; }  // rows of the trace at one time
+  /// Whether steps that are too long for a contact are cut there: then no step is too long.
+  virtual bool cuts_steps() const { return false; }
+  /// More words for the summary line, "name=value".
+  virtual std::string summary() const { return ""; }
   /// The words on the command line, besides parameters, that make a run like this one.
   virtual std::string stage_options() const { return ""; }
 

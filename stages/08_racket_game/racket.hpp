@@ -1,0 +1,101 @@
+#pragma once
+#include <Eigen/Core>
+#include <algorithm>
+
+#include "physics/contact.hpp"
+#include "physics/energy.hpp"
+#include "physics/shapes.hpp"
+#include "physics/state.hpp"
+
+namespace bounce {
+
+/// Where a ball is nearest to the racket.
+struct NearestPoint {
+  Eigen::Vector3d point;      // on the racket
+  Eigen::Vector3d direction;  // from there to the ball, unit length
+  double distance;            // m; negative when the ball's centre is through the disc
+};
+
+/// Stage 8. The plane of stage 7 ends at a rim, has two sides, and moves. Like every floor before
+/// it is frictionless: it pushes along the line from its nearest point to the ball, and nowhere
+/// else.
+struct Racket {
+  double mass = 1.0;       // kg
+  double gravity = 9.81;   // m/s^2
+  double radius = 0.1;     // m, of the ball
+  double stiffness = 1e4;  // N/m
+  double damping = 14.17;  // N s/m: restitution 0.8
+  ContactLaw contact = ContactLaw::slides;
+  Disc disc;         // where the racket is at `since`, and how it moves from there
+  double since = 0;  // s
+  int side = 1;      // where the ball comes from: 1 is the side of the normal, -1 the other
+
+  /// The racket at time `t`.
+  Disc disc_at(double t) const { return disc.after(t - since); }
+
+  // [nearest]
+  NearestPoint nearest(const Disc& racket, const Eigen::Vector3d& ball) const {
+    const Eigen::Vector3d outwards = racket.outwards(ball);  // along the racket, from its centre
+    const double lateral = outwards.norm();
+    if (lateral < racket.radius) {  // over the disc: the plane of stage 7
+      return {racket.centre + outwards, side * racket.normal, side * racket.height(ball)};
+    }
+    // Beside it: the nearest point is on the rim, and the push goes from there to the ball.
+    const Eigen::Vector3d rim = racket.centre + outwards * (racket.radius / lateral);
+    const double distance = (ball - rim).norm();
+    if (distance == 0) return {rim, side * racket.normal, 0};
+    return {rim, (ball - rim) / distance, distance};
+  }
+  // [nearest]
+
+  // [force]
+  Eigen::Vector3d force(double t, const State<Eigen::Vector3d>& state) const {
+    // Distance of the centre from the racket, and velocity away from the point that is touched.
+    const Disc racket = disc_at(t);
+    const auto [point, n, y] = nearest(racket, state.position);
+    const double v = n.dot(state.velocity - racket.velocity_of(point));
+    // Gravity, downwards.
+    Eigen::Vector3d force(0, -mass * gravity, 0);
+    // Only while the ball overlaps the racket: a spring, and a damper against the velocity.
+    if (y < radius) {
+      double push = stiffness * (radius - y) - damping * v;
+      if (contact == ContactLaw::push_only) push = std::max(0.0, push);
+      force += push * n;  // along the normal
+    }
+    return force;
+  }
+  // [force]
+
+  Eigen::Vector3d acceleration(double t, const State<Eigen::Vector3d>& state) const {
+    return force(t, state) / mass;
+  }
+
+  // [side]
+  /// Which side the ball is on. While the two touch this does not change, however deep a fast ball
+  /// gets in: a ball from below is pushed down, even with its centre above the disc already.
+  void choose_side(double t, const Eigen::Vector3d& ball) {
+    const Disc racket = disc_at(t);
+    const bool over_disc = racket.outwards(ball).norm() < racket.radius;
+    const double height = racket.height(ball);
+    if (over_disc && side * height < radius) return;
+    side = height < 0 ? -1 : 1;
+  }
+  // [side]
+
+  /// For a ball that was put where it is.
+  void start_side(double t, const Eigen::Vector3d& ball) {
+    side = disc_at(t).height(ball) < 0 ? -1 : 1;
+  }
+
+  double overlap(double t, const State<Eigen::Vector3d>& state) const {
+    return std::max(0.0, radius - nearest(disc_at(t), state.position).distance);
+  }
+
+  Energy energy(double t, const State<Eigen::Vector3d>& state) const {
+    return {kinetic_energy(mass, state.velocity),
+            gravitational_energy(mass, gravity, state.position.y()),
+            spring_energy(stiffness, overlap(t, state))};
+  }
+};
+
+}  // namespace bounce

@@ -1,0 +1,422 @@
+#pragma once
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "contact_steps.hpp"
+#include "input_log.hpp"
+#include "physics/components.hpp"
+#include "physics/integrators.hpp"
+#include "round.hpp"
+#include "run/simulation.hpp"
+#include "walk.hpp"
+
+namespace bounce {
+
+/// Stage 8 as a simulation: a round of the game, or (`--player none`) the bare physics of a ball
+/// and a racket in uniform motion.
+class RacketRun final : public Simulation {
+ public:
+  using Ball = State<Eigen::Vector3d>;
+
+  RacketRun() { reset_state(); }
+
+  // ---- What pictures and players need to know
+  const Settings& settings() const { return settings_; }
+  const Round& round() const { return round_; }
+  bool is_game() const { return settings_.player != PlayerKind::none; }
+  bool is_replay() const { return replay_ != nullptr; }
+  double gravity() const { return is_game() ? gravity_of(settings_, round_) : full().gravity; }
+  Disc disc() const {
+    return is_game() ? disc_of(settings_, round_) : bare_scene().disc_at(time());
+  }
+  double floor_height() const { return full().disc.centre.y() - rules::floor_below; }
+
+  // ---- How it is played
+  void play_as(PlayerKind player) { settings_.player = player; }
+  void keep_best(int best) { round_.score.best = std::max(round_.score.best, best); }
+  void set_assist(double percent) { settings_.assist = std::clamp(percent, 0.0, 100.0); }
+  /// A human's input, once a frame.
+  void want(Input input) {
+    if (settings_.player != PlayerKind::human || is_replay()) return;
+    input.assist = settings_.assist / 100;
+    give(input);
+  }
+  /// Notes all inputs in `log`.
+  void record(std::shared_ptr<InputLog> log) { record_ = std::move(log); }
+  /// Plays the inputs of `log`, with what else is written there.
+  void replay(std::shared_ptr<const InputLog> log) {
+    replay_ = std::move(log);
+    for (const auto& [name, value] : replay_->parameters) {
+      find_parameter(parameters(), name).set(value);
+    }
+    settings_.player = PlayerKind::human;
+    settings_.seed = replay_->seed;
+    round_.number = replay_->round;
+    use_method(find_method(replay_->method, methods()));
+    use_dt(replay_->dt);
+  }
+
+  // ---- As every simulation
+  std::unique_ptr<Simulation> clone() const override { return std::make_unique<RacketRun>(*this); }
+  std::vector<Parameter> parameters() override;
+  std::vector<Method> methods() const override {
+    return {Method::explicit_euler, Method::semi_implicit_euler, Method::velocity_verlet,
+            Method::rk4, Method::exact};
+  }
+  std::vector<std::string> columns() const override { return {"x", "y", "z", "vx", "vy", "vz"}; }
+  std::vector<double> values() const override { return ball_numbers(round_.ball); }
+  std::vector<double> exact_values(double t) const override {
+    const std::optional<Ball> exact = exact_ball(t);
+    return exact ? ball_numbers(*exact) : std::vector<double>{};
+  }
+  std::optional<ContactNumbers> contact() const override {
+    return ContactNumbers{natural_frequency(full().stiffness, full().mass),
+                          damping_ratio(full().stiffness, full().damping, full().mass)};
+  }
+  bool cuts_steps() const override { return true; }
+  long long counted_force_evaluations() const override {
+    return (pieces_ - steps()) * force_evaluations_per_step(method());
+  }
+  std::string summary() const override;
+  std::string stage_options() const override;
+  void use_seed(std::uint64_t seed) override { settings_.seed = seed; }
+  std::optional<StateError> error() const override {
+    const std::optional<Ball> exact = exact_ball(time());
+    if (!exact) return std::nullopt;
+    return StateError{distance_between(round_.ball.position, exact->position),
+                      distance_between(round_.ball.velocity, exact->velocity)};
+  }
+  void place(const std::vector<double>& values) override {
+    round_.ball = ball_from(values, 0);
+    parameters_changed();
+  }
+  void parameters_changed() override {
+    Racket scene = full();
+    scene.disc = disc();
+    scene.since = time();
+    scene.side = round_.side;
+    // Put through the disc by hand, it is on the other side.
+    const double depth = scene.radius - scene.side * scene.disc.height(round_.ball.position);
+    if (time() == 0 || depth > 2 * scene.radius) {
+      scene.start_side(time(), round_.ball.position);
+    }
+    scene.choose_side(time(), round_.ball.position);
+    round_.side = scene.side;
+    from_racket_ = seen_from_racket(round_.ball, time());
+    compare_from_here();
+    walk_ = truth_;
+  }
+  double next_event() const override {
+    return method() == Method::exact && walk_ ? walk_->next_event() : never;
+  }
+  Energy energy() const override {
+    Racket scene = bare_scene();
+    scene.side = round_.side;
+    scene.gravity = gravity();
+    if (is_game()) scene.disc = disc();
+    return scene.energy(is_game() ? scene.since : time(), round_.ball);
+  }
+  // What the racket gives and the damper takes is not told apart: no book is kept.
+  void keep_energy_book(bool /*keep*/) override {}
+  double energy_before() const override { return energy().total(); }
+  double energy_lost() const override { return 0; }
+  std::optional<double> exact_energy() const override {
+    const std::optional<Ball> exact = exact_ball(time());
+    if (!exact) return std::nullopt;
+    return bare_scene().energy(time(), *exact).total();
+  }
+
+ protected:
+  void reset_state() override {
+    if (is_game() && method() == Method::exact) {
+      throw BadInput(
+          "--method exact is not allowed in the game: it must be a stepping method, or "
+          "--player none, where the racket's movement is known beforehand");
+    }
+    const int next = round_.number + (round_.score.lost ? 1 : 0);
+    round_ = begin_round(settings_, next, round_.score.best);
+    pieces_ = 0;
+    next_entry_ = 0;
+    if (record_) note_settings();
+    parameters_changed();
+  }
+  void compare_from_here() override {
+    truth_.reset();
+    if (is_game()) return;
+    Racket scene = bare_scene();
+    scene.side = round_.side;
+    truth_.emplace(scene, time(), round_.ball);
+  }
+  void take_steps(long long count, double t, double dt) override {
+    if (is_game()) {
+      for (long long i = 0; i < count; ++i) game_step(dt);
+      return;
+    }
+    // Seen from the racket, which rests there: nothing in a contact depends on who watches.
+    Racket scene = bare_scene();
+    scene.disc.centre.setZero();
+    scene.disc.velocity.setZero();
+    scene.side = round_.side;
+    for (long long i = 0; i < count; ++i) move_ball(scene, 0, from_racket_, dt);
+    round_.side = scene.side;
+    round_.ball = seen_from_ground(from_racket_, t + static_cast<double>(count) * dt);
+  }
+  double move_exactly_towards(double t, long long /*most_events*/) override {
+    if (!walk_) return t;
+    round_.ball = walk_->at(t);
+    from_racket_ = seen_from_racket(round_.ball, t);
+    return t;
+  }
+  bool is_finite() const override {
+    return bounce::is_finite(round_.ball.position) && bounce::is_finite(round_.ball.velocity);
+  }
+  std::vector<double> numbers() const override;
+  bool recall_numbers(const std::vector<double>& all) override;
+
+ private:
+  const Racket& full() const { return settings_.racket; }
+
+  /// The racket of the bare physics: at time 0, in uniform motion.
+  Racket bare_scene() const {
+    Racket scene = full();
+    scene.disc.normal = Plane::from_equation(normal_, 0).normal;
+    scene.disc.velocity = velocity_;
+    return scene;
+  }
+
+  Ball seen_from_racket(const Ball& ball, double t) const {
+    const Disc disc = bare_scene().disc_at(t);
+    return {ball.position - disc.centre, ball.velocity - disc.velocity};
+  }
+  Ball seen_from_ground(const Ball& ball, double t) const {
+    const Disc disc = bare_scene().disc_at(t);
+    return {ball.position + disc.centre, ball.velocity + disc.velocity};
+  }
+
+  /// Returns the number of new touches.
+  long long move_ball(Racket& scene, double t, Ball& ball, double dt) {
+    const auto go = [&](const auto& make_step) {
+      ContactSteps steps(scene, make_step);
+      steps(t, ball, dt);
+      pieces_ += steps.pieces;
+      return steps.touches;
+    };
+    const auto plain = [](auto method) { return [method] { return method; }; };
+    switch (method()) {
+      case Method::explicit_euler:
+        return go(plain(
+            [](const auto& s, double now, Ball& x, double h) { explicit_euler(s, now, x, h); }));
+      case Method::velocity_verlet:
+        return go([] { return VelocityVerlet<Eigen::Vector3d>{}; });
+      case Method::rk4:
+        return go(plain([](const auto& s, double now, Ball& x, double h) { rk4(s, now, x, h); }));
+      default:
+        return go(plain([](const auto& s, double now, Ball& x, double h) {
+          semi_implicit_euler(s, now, x, h);
+        }));
+    }
+  }
+
+  void game_step(double dt) {
+    if (replay_) {
+      for (; next_entry_ < replay_->entries.size() &&
+             replay_->entries[next_entry_].step <= round_.steps;
+           ++next_entry_) {
+        take_input(round_, replay_->entries[next_entry_].input);
+      }
+    } else if (settings_.player == PlayerKind::autopilot &&
+               (round_.steps == 0 || round_.input_age >= rules::input_time)) {
+      give(autopilot(sight_of(settings_, round_)));
+    }
+    // A hand and a racket are followed in steps of 5 ms at most.
+    const double parts = std::ceil(dt / 0.005 - 1e-9);
+    for (double part = 0; part < parts; ++part) {
+      step(settings_, round_, dt / parts,
+           [this](Racket& scene, Ball& ball, double h) { return move_ball(scene, 0, ball, h); });
+    }
+  }
+
+  void give(const Input& input) {
+    take_input(round_, input);
+    if (record_) record_->note(round_.steps, input);
+  }
+
+  void note_settings() {
+    record_->entries.clear();
+    record_->seed = settings_.seed;
+    record_->round = round_.number;
+    record_->dt = dt();
+    record_->method = name_of(method());
+    record_->parameters.clear();
+    for (const Parameter& parameter : parameters()) {
+      record_->parameters.emplace_back(parameter.name, parameter.text());
+    }
+  }
+
+  std::optional<Ball> exact_ball(double t) const {
+    if (!truth_) return std::nullopt;
+    try {
+      const Ball exact = truth_->at(std::max(t, truth_->walker().last_event()));
+      if (bounce::is_finite(exact.position) && bounce::is_finite(exact.velocity)) return exact;
+    } catch (const TimeStandsStill&) {
+    } catch (const NoClosedForm&) {
+    }
+    return std::nullopt;
+  }
+
+  static std::vector<double> ball_numbers(const Ball& ball) {
+    const auto& [p, v] = ball;
+    return {p.x(), p.y(), p.z(), v.x(), v.y(), v.z()};
+  }
+  static Ball ball_from(const std::vector<double>& all, std::size_t i) {
+    return {{all.at(i), all.at(i + 1), all.at(i + 2)},
+            {all.at(i + 3), all.at(i + 4), all.at(i + 5)}};
+  }
+  /// Calls `visit` with every number that a round consists of besides the ball.
+  template <class Visit>
+  static void each_number(Round& round, const Visit& visit);
+
+  Settings settings_;
+  Eigen::Vector3d normal_{0, 1, 0};    // of the bare physics' racket, any length
+  Eigen::Vector3d velocity_{0, 0, 0};  // m/s
+  std::shared_ptr<InputLog> record_;
+  std::shared_ptr<const InputLog> replay_;
+  std::size_t next_entry_ = 0;
+
+  Round round_;
+  Ball from_racket_ = round_.ball;  // the bare physics' ball, seen from the racket
+  long long pieces_ = 0;
+  std::optional<RacketWalk> walk_;           // the movement, for `exact`
+  mutable std::optional<RacketWalk> truth_;  // what all others are compared with
+};
+
+inline std::vector<Parameter> RacketRun::parameters() {
+  Racket& racket = settings_.racket;
+  const auto named = [](const char* name, const char* meaning, Parameter parameter) {
+    parameter.name = name;
+    parameter.meaning = meaning;
+    return parameter;
+  };
+  std::vector<Parameter> all{
+      describe::mass(racket.mass),
+      describe::gravity(racket.gravity),
+      describe::position(components(settings_.start.position), 2),
+      describe::velocity(components(settings_.start.velocity)),
+      describe::radius(racket.radius),
+      describe::stiffness(racket.stiffness),
+      describe::damping(racket.damping),
+      describe::contact(racket.contact),
+      named("racket_position", "the disc's centre x,y,z at the start; in the game its home",
+            describe::position(components(racket.disc.centre), 2)),
+      named("racket_normal", "square to the disc, of any length; for the player none",
+            describe::normal(components(normal_))),
+      named("racket_radius", "of the disc; in the game it shrinks to half",
+            describe::radius(racket.disc.radius)),
+      named("racket_velocity", "velocity x,y,z of the disc; for the player none",
+            describe::velocity(components(velocity_))),
+      {"assist", "%", "how much of the aim is taken off a human player", &settings_.assist,
+       Range{0, 100}, Range{0, 100}},
+      {"strike", "", "the blind player's racket meets the ball while it slows down or speeds up",
+       choice_of(settings_.strike, {"slowing", "speeding"})},
+      {"knock", "m", "the blind player's ball starts higher by this", &settings_.knock,
+       Range{-0.5, 1e3}, Range{-0.3, 0.5}, true}};
+  for (Parameter& parameter : all) {
+    if (parameter.name == "gravity") {
+      parameter.meaning = "pulls downwards; the game begins with 4 and grows up to this";
+    }
+  }
+  return all;
+}
+
+inline std::string RacketRun::summary() const {
+  static constexpr const char* names[] = {"human", "autopilot", "blind", "idle", "none"};
+  std::string words = std::string("player=") + names[static_cast<int>(settings_.player)];
+  if (!is_game()) return words;
+  return words + " hits=" + std::to_string(round_.score.hits) +
+         " lost=" + (round_.score.lost ? "yes" : "no");
+}
+
+inline std::string RacketRun::stage_options() const {
+  static constexpr const char* words[] = {"", " --player autopilot", " --player blind",
+                                          " --player idle", " --player none"};
+  return words[static_cast<int>(settings_.player)];
+}
+
+template <class Visit>
+void RacketRun::each_number(Round& round, const Visit& visit) {
+  for (Follower* follower :
+       {&round.grip.x, &round.grip.y, &round.grip.z, &round.grip.lean_x, &round.grip.lean_z}) {
+    visit(follower->position);
+    visit(follower->velocity);
+  }
+  for (Input* input : {&round.from, &round.to}) {
+    for (double* number :
+         {&input->x, &input->z, &input->tilt_x, &input->tilt_z, &input->swing, &input->assist}) {
+      visit(*number);
+    }
+  }
+  visit(round.input_age);
+  visit(round.clock);
+  visit(round.lost_clock);
+  visit(round.touch_speed);
+  visit(round.touch_clock);
+  for (double& number : components(round.touch_place)) visit(number);
+  visit(round.side);
+  visit(round.steps);
+  visit(round.number);
+  visit(round.touches);
+  visit(round.score.hits);
+  visit(round.score.best);
+  visit(round.score.touched);
+  visit(round.score.lost);
+}
+
+inline std::vector<double> RacketRun::numbers() const {
+  std::vector<double> all = ball_numbers(round_.ball);
+  for (const double number : ball_numbers(from_racket_)) all.push_back(number);
+  Round round = round_;
+  each_number(round, [&](auto& number) { all.push_back(static_cast<double>(number)); });
+  all.push_back(static_cast<double>(next_entry_));
+  all.push_back(static_cast<double>(settings_.player));
+  all.push_back(static_cast<double>(settings_.seed));
+  if (method() == Method::exact && walk_) {
+    all.push_back(walk_->walker().last_event());
+    for (const double number : ball_numbers(walk_->walker().state_at_last_event())) {
+      all.push_back(number);
+    }
+    all.push_back(static_cast<double>(walk_->walker().phase()));
+  }
+  return all;
+}
+
+inline bool RacketRun::recall_numbers(const std::vector<double>& all) {
+  std::size_t expected = 15;
+  each_number(round_, [&](auto&) { ++expected; });
+  const bool exact = method() == Method::exact;
+  if (all.size() != expected + (exact ? 8 : 0)) return false;
+  round_.ball = ball_from(all, 0);
+  from_racket_ = ball_from(all, 6);
+  std::size_t i = 12;
+  each_number(round_, [&](auto& number) {
+    number = static_cast<std::remove_reference_t<decltype(number)>>(all[i++]);
+  });
+  next_entry_ = static_cast<std::size_t>(all[i++]);
+  settings_.player = static_cast<PlayerKind>(std::clamp(static_cast<int>(all[i++]), 0, 4));
+  settings_.seed = static_cast<std::uint64_t>(std::max(0.0, all[i++]));
+  if (!exact) return true;
+  const double phase = all.back();
+  if (!(phase == 0 || phase == 1 || phase == 2)) return false;
+  Racket scene = bare_scene();
+  scene.side = round_.side;
+  walk_.emplace(scene, time(), round_.ball);
+  walk_->resume(all[i], ball_from(all, i + 1), static_cast<Phase>(static_cast<int>(phase)));
+  return true;
+}
+
+}  // namespace bounce
