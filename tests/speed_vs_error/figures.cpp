@@ -21,7 +21,7 @@ std::string script(const Report& report, const std::string& case_name, const std
   out << "set terminal svg size 760,520 font 'DejaVu Sans,13' background '#ffffff'\n"
       << "set output '" << file << "'\n"
       << "set logscale xy\nset format xy '10^{%T}'\n"
-      << "set xrange [" << smallest << ":" << largest << "] reverse\n"
+      << "set xrange [" << smallest << ":" << largest << "]\n"
       << "set xlabel 'largest error of the position [m]'\n"
       << "set ylabel 'CPU time per simulated second [us]'\n"
       << "set key outside right top width -6\nset grid linecolor '#dddddd'\n";
