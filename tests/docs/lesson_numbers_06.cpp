@@ -83,15 +83,20 @@ void sudden() {
 /// The different heights among the last of many bounces.
 void heights() {
   std::printf("| amplitude [mm] | heights in turn [m] |\n|---|---|\n");
-  for (const double amplitude : {0.056, 0.062, 0.068, 0.074, 0.077, 0.082}) {
+  for (const double amplitude : {0.056, 0.062, 0.068, 0.074, 0.0765, 0.082}) {
+    OscillatingFloor scene = two_hertz(amplitude);
+    // From 0.8 m the way to the four heights leads through chaos, where the last digit of a sine
+    // decides when it ends; from 0.82 m it does not.
+    if (amplitude == 0.0765) scene.start.position = 0.82;
     std::vector<double> all;
-    for (const Bounce& bounce : settled_bounces(two_hertz(amplitude), 600, 64)) {
+    for (const Bounce& bounce : settled_bounces(scene, 600, 64)) {
       const auto same = [&](double h) { return std::abs(h - bounce.height) < 1e-4; };
       if (std::none_of(all.begin(), all.end(), same)) all.push_back(bounce.height);
     }
-    std::printf("| %.0f |", 1e3 * amplitude);
+    std::rotate(all.begin(), std::min_element(all.begin(), all.end()), all.end());
+    std::printf("| %g |", 1e3 * amplitude);
     if (all.size() > 8) {
-      std::printf(" %zu different ones in 64 bounces", all.size());
+      std::printf(" %s 30 different ones in 64 bounces", all.size() > 30 ? "more than" : "at most");
     } else {
       for (const double height : all) std::printf(" %.3f", height);
     }
