@@ -103,7 +103,7 @@ Report measure() {
     std::fprintf(stderr, ", costs\n");
     const std::vector<double> cost = cost_in_alternation(works, 5, 0.01);
     for (std::size_t i = 0; i < results.size(); ++i) {
-      results[i].cost = cost[i] / on.t_end * 1e6;
+      results[i].cost = cost[i] / on.t_end / on.subjects[i].balls * 1e6;
       report.results.push_back(results[i]);
     }
   }

@@ -9,6 +9,7 @@
 #include "04_three_dimensions/exact.hpp"
 #include "06_oscillating_floor/exact.hpp"
 #include "07_tilted_plane/exact.hpp"
+#include "physics/bounce_batch.hpp"
 #include "run/scene_simulation.hpp"
 #include "speed_vs_error/subjects.hpp"
 
@@ -48,6 +49,29 @@ Subject exact_subject(const Scene& scene, double t_end) {
     const State<Vector> end = walker.at(t_end);
     return components(end.position)[0];
   };
+  return subject;
+}
+
+// A sweep over the height of the start, side by side in the lanes of the vector units. Its first
+// ball is the case's own.
+Subject sweep_subject(double damping, double t_end) {
+  constexpr int count = 1024;
+  const Damping p;
+  std::vector<SweepBall> balls;
+  for (int i = 0; i < count; ++i) {
+    const State<double> start{p.start.position * (1 + 1e-4 * i), p.start.velocity};
+    balls.push_back({p.mass, p.gravity, p.radius, {p.stiffness, damping}, start});
+  }
+  Subject subject{"exact in lanes", "", 0, false, {}, {}};
+  subject.sample = [first = balls[0]](const std::vector<double>& times) {
+    std::vector<Row> rows;
+    for (const double t : times) {
+      rows.push_back(row_of(exact_states(std::vector<SweepBall>(lanes::count, first), t)[0]));
+    }
+    return rows;
+  };
+  subject.run = [=] { return exact_states(balls, t_end)[0].position; };
+  subject.balls = count;
   return subject;
 }
 
@@ -145,8 +169,10 @@ std::vector<Case> cases() {
   all.push_back(case_of<FreeFall, FreeFallExact>("fall", 1, "a ball that falls from 5 m, 1 s", 1));
   all.push_back(case_of<SpringFloor, SpringFloorExact>(
       "bounce", 2, "case (a): an undamped ball from 1 m, 10 s, 11 bounces", 10));
+  all.back().subjects.push_back(sweep_subject(0, 10));
   all.push_back(case_of<Damping, DampingExact>(
       "damped", 3, "case (b): a damped ball from 1 m, 5 s, 7 bounces", 5));
+  all.back().subjects.push_back(sweep_subject(5, 5));
   all.back().subjects.push_back(bare_loop(Damping{}, 1e-4, 5));
   all.push_back(case_of<ThreeDimensions, ThreeDimensionsExact>(
       "space", 4, "the damped ball, thrown sideways, 5 s", 5));

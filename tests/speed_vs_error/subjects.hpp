@@ -17,6 +17,7 @@ struct Subject {
   std::function<std::vector<Row>(const std::vector<double>& times)> sample;  // the states then
   std::function<double()> run;               // to the end of the case and nothing else
   std::function<long long()> evaluations{};  // of the force, in one run
+  int balls = 1;                             // that one run moves; cost is given for one of them
 };
 
 /// A scene, how long it runs, and all that is measured on it.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 
 namespace bounce::report {
@@ -11,6 +12,11 @@ std::string text_of(double value, int digits = 2) {
   if (std::isnan(value)) return "-";
   char text[32];
   std::snprintf(text, sizeof text, "%.*g", digits, value);
+  // 5840 to two digits is 5800, and not 5.8e+03.
+  const double rounded = std::strtod(text, nullptr);
+  if (std::abs(rounded) >= 10 && std::abs(rounded) < 1e6) {
+    std::snprintf(text, sizeof text, "%.*f", rounded < std::pow(10, digits - 1) ? 1 : 0, rounded);
+  }
   return text;
 }
 
@@ -53,7 +59,9 @@ std::string cost_table(const Report& report, const std::string& case_name) {
     out += results[0].is_peer ? "| " + method + " |" : "| `" + method + "` |";
     for (const double error : {1e-3, 1e-6, 1e-9}) {
       const Result* r = cheapest(results, error);
-      out += r == nullptr ? " - |" : " " + text_of(r->cost) + " (" + text_of(r->value) + ") |";
+      const std::string knob =
+          r == nullptr || r->knob.empty() ? "" : " (" + text_of(r->value) + ")";
+      out += r == nullptr ? " - |" : " " + text_of(r->cost) + knob + " |";
     }
     out += " " + text_of(best->position_error) + " m, " + text_of(best->velocity_error) + " m/s, " +
            text_of(best->energy_drift) + " (" + text_of(best->cost) + ") |\n";
@@ -108,6 +116,10 @@ std::string headline_table(const Report& report) {
   const auto exact = [&](const char* name) { return results_of(report, name, "exact")[0]; };
   both("`exact`: CPU time per simulated second",
        [&](const char* name) { return text_of(exact(name).cost) + " us"; });
+  both("`exact` in a sweep of 1,024 balls: for each", [&](const char* name) {
+    const std::vector<Result> sweep = results_of(report, name, "exact in lanes");
+    return sweep.empty() ? std::string("-") : text_of(sweep[0].cost) + " us";
+  });
   both("`exact`: error",
        [&](const char* name) { return text_of(exact(name).position_error) + " m"; });
   both("the most accurate peer: error (cost against `exact`)", [&](const char* name) {
