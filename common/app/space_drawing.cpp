@@ -23,6 +23,7 @@ std::optional<std::array<Vector3d, 2>> seen_part(const Camera& camera, const Vec
   const std::array<double, 5> from = camera.inside(a), to = camera.inside(b);
   double begin = 0, end = 1;  // shares of the way from a to b
   for (std::size_t face = 0; face < from.size(); ++face) {
+    if (from[face] >= 0 && to[face] >= 0) continue;
     if (!(from[face] >= 0 || to[face] >= 0)) return std::nullopt;
     const double crossing = from[face] / (from[face] - to[face]);
     if (from[face] < 0) begin = std::max(begin, crossing);

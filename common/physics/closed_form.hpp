@@ -18,16 +18,17 @@ inline State<double> fly(const State<double>& start, double gravity, double t) {
 }
 
 /// How fast a ball comes down to the touch [m/s] that is `height` >= 0 above it and flies with
-/// `velocity`. Not a number when it never gets there: gravity may be negative and pull away from
-/// the touch (an overhanging plane).
+/// `velocity`. Negative when it never gets there: gravity may be negative and pull away from the
+/// touch (an overhanging plane).
 inline double impact_speed(double height, double velocity, double gravity) {
-  return std::sqrt(velocity * velocity + 2 * gravity * height);
+  const double squared = velocity * velocity + 2 * gravity * height;
+  return squared >= 0 ? std::sqrt(squared) : -1;
 }
 
 /// When that ball comes down [s], knowing how fast: the first positive root of
 /// height + v t - g t^2 / 2 = 0, in the form that subtracts nothing.
 inline double time_to_fall(double height, double velocity, double gravity, double impact_speed) {
-  if (!(impact_speed >= 0)) return never;
+  if (impact_speed < 0) return never;
   if (velocity > 0) return gravity > 0 ? (velocity + impact_speed) / gravity : never;
   return impact_speed - velocity > 0 ? 2 * height / (impact_speed - velocity)
                                      : (height > 0 || !(gravity > 0) ? never : 0);

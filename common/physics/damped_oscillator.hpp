@@ -165,8 +165,11 @@ inline Crossing DampedOscillator::rise(const State<double>& start, double level)
   }
   for (int i = 0; i < 100; ++i) {
     const double v = now.velocity, a = acceleration(now);
+    const double missing = level - now.position;
     if (!(v > 0)) return {never, 0};  // past the top, and it was too low
-    const double newton = (level - now.position) / v;
+    // v^2 + omega0^2 x^2 never grows: it cannot rise by more than v / omega0.
+    if (v < omega0_ * missing) return {never, 0};
+    const double newton = missing / v;
     const double bend = newton * a / v;
     const double step = std::abs(bend) < 0.2 ? newton / (1 + bend / 2) : newton;
     if (omega0_ * std::abs(step) < 1e-5 && std::abs(bend) < 1e-5) {

@@ -27,7 +27,11 @@ class OscillatingFloorExact {
         switched_(scene.floor_law == FloorLaw::slides),
         clamped_(scene.contact == ContactLaw::push_only && (scene.damping > 0 || switched_)),
         oscillator_(omega0_, beta_, w_) {
-    answer_ = 1.0 / Complex((omega0_ - w_) * (omega0_ + w_), 2 * beta_ * w_);
+    // At resonance without a damper there is no steady answer. One rounding beside it, it is huge,
+    // and bounds nothing: the search then goes by the other bound.
+    const double detuning = (omega0_ - w_) * (omega0_ + w_);
+    const double least = std::numeric_limits<double>::epsilon() * omega0_ * omega0_;
+    answer_ = 1.0 / Complex(detuning != 0 ? detuning : least, 2 * beta_ * w_);
     begin(0);
     shaking_size_ = std::abs(shaking_);
     steady_size_ = std::abs(steady_);
@@ -138,7 +142,7 @@ class OscillatingFloorExact {
   double height_ = 0;  // m, of the floor's steady movement
   Complex swing_;      // the floor's swing is Im(swing e^(i w t)) [m],
   Complex shaking_;    // what the oscillator feels of it, Im(shaking e^(i w t)) [m/s^2],
-  Complex steady_;     // and its steady answer, Im(steady e^(i w t)) [m]; infinite at resonance
+  Complex steady_;     // and its steady answer, Im(steady e^(i w t)) [m]; huge at resonance
 };
 
 // ---- Movement -----------------------------------------------------------------------------------

@@ -1,0 +1,35 @@
+#pragma once
+#include <cfenv>
+
+namespace bounce::test {
+
+#if defined(__GLIBC__) && !defined(__clang__)
+inline constexpr int floating_point_errors = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
+
+/// From here on a NaN out of numbers, a division by zero and an overflow end the test with SIGFPE,
+/// where they happen, in this thread and in those that it starts. (feenableexcept is glibc's. Clang
+/// without -ffp-exception-behavior may divide before it asks whether it should.)
+inline void trap_floating_point_errors() { feenableexcept(floating_point_errors); }
+
+/// No traps as long as it lives: for code that means its infinities. Say why beside it.
+class WithoutTraps {
+ public:
+  WithoutTraps() : before_(fedisableexcept(floating_point_errors)) {}
+  ~WithoutTraps() {
+    std::feclearexcept(FE_ALL_EXCEPT);
+    feenableexcept(before_);
+  }
+  WithoutTraps(const WithoutTraps&) = delete;
+  WithoutTraps& operator=(const WithoutTraps&) = delete;
+
+ private:
+  int before_;
+};
+#else
+inline void trap_floating_point_errors() {}
+struct WithoutTraps {
+  WithoutTraps() {}  // so that a variable of it counts as used
+};
+#endif
+
+}  // namespace bounce::test
