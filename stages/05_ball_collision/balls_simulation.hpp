@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ball_collision.hpp"
+#include "many_balls/many_balls.hpp"
 #include "physics/event_driven.hpp"
 #include "physics/integrators.hpp"
 #include "physics/stability.hpp"
@@ -32,8 +33,11 @@ class BallsSimulation final : public Simulation {
 
   /// Balls of the user's own, in place of a scene. `origin` is the file they came from.
   void use_balls(Arrangement balls, const std::string& origin);
-  /// The option `--threads`: this stage's plain loop runs on one, and the result is the same.
+  /// The option `--threads`: for many balls (below). The result is the same, to the bit.
   void use_threads(int threads) { threads_ = threads; }
+  /// From so many balls on, the steps of semi-implicit Euler and velocity Verlet are taken by
+  /// many::ManyBalls, which is faster (see the lesson) and gives the same bits.
+  void use_many_from(Eigen::Index count) { many_from_ = count; }
 
   std::unique_ptr<Simulation> clone() const override {
     return std::make_unique<BallsSimulation>(*this);
@@ -85,6 +89,7 @@ class BallsSimulation final : public Simulation {
 
  private:
   void choose_scene(BallScene scene);
+  void take_steps_of_many(long long count, double dt);
 
   BallCollision scene_;
   SceneChoice choice_;
@@ -93,6 +98,8 @@ class BallsSimulation final : public Simulation {
   std::string origin_;  // of the own balls
   std::uint64_t seed_ = 1;
   int threads_ = 1;
+  Eigen::Index many_from_ = 32;
+  many::ManyBalls many_;
 
   Balls state_;
   VelocityVerlet<Eigen::Matrix3Xd> verlet_;
@@ -252,6 +259,17 @@ inline void BallsSimulation::place(const std::vector<double>& values) {
 
 // ---- Moving
 
+inline void BallsSimulation::take_steps_of_many(long long count, double dt) {
+  const many::Laws laws{scene_.gravity, scene_.pair_contact(), scene_.floor_contact(), scene_.floor,
+                        scene_.tray};
+  const bool is_verlet = method() == Method::velocity_verlet;
+  if (!verlet_.acceleration) verlet_.acceleration.emplace(3, 0);
+  many_.move(laws, scene_.mass, scene_.radius, state_, *verlet_.acceleration,
+             is_verlet ? many::Stepping::velocity_verlet : many::Stepping::semi_implicit_euler,
+             count, dt, threads_);
+  if (!is_verlet) verlet_.acceleration.reset();
+}
+
 inline void BallsSimulation::take_steps(long long count, double t, double dt) {
   Balls before;
   const auto loop = [&](auto&& step) {
@@ -266,6 +284,11 @@ inline void BallsSimulation::take_steps(long long count, double t, double dt) {
     }
   };
   using S = const BallCollision&;
+  if (scene_.mass.size() >= many_from_ &&
+      (method() == Method::semi_implicit_euler || method() == Method::velocity_verlet)) {
+    if (!keep_book_) return take_steps_of_many(count, dt);
+    return loop([this](S, double, Balls&, double h) { take_steps_of_many(1, h); });
+  }
   switch (method()) {
     case Method::explicit_euler:
       return loop([](S s, double now, Balls& x, double h) { explicit_euler(s, now, x, h); });

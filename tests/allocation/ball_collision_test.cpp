@@ -12,6 +12,7 @@
 #include <doctest/doctest.h>
 
 #include "05_ball_collision/scenes.hpp"
+#include "many_balls/many_balls.hpp"
 #include "physics/integrators.hpp"
 
 using namespace bounce;
@@ -26,8 +27,9 @@ void* operator new(std::size_t size) {
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
+using Balls = State<Eigen::Matrix3Xd>;
+
 TEST_CASE("stage 5: a step allocates nothing, with the double loop and with the grid") {
-  using Balls = State<Eigen::Matrix3Xd>;
   for (const int count : {3, 40, 200}) {
     for (const bool verlet : {false, true}) {
       CAPTURE(count);
@@ -54,4 +56,25 @@ TEST_CASE("stage 5: a step allocates nothing, with the double loop and with the 
       CHECK(allocations == before);
     }
   }
+}
+
+TEST_CASE("stage 5: the fast path allocates nothing in a step, and in a list only what is new") {
+  const int count = 300;
+  const std::array<double, 2> tray{tray_for(count), tray_for(count)};
+  const Arrangement start = drop(count, 0.0143, tray, 1);
+  const many::Laws laws{9.81, {2e4, 20}, {2e4, 20}, true, tray};
+  many::ManyBalls fast;
+  Balls state = start.balls;
+  Eigen::Matrix3Xd acceleration;
+  const auto steps = [&](int how_many) {
+    fast.move(laws, start.mass, start.radius, state, acceleration, many::Stepping::velocity_verlet,
+              how_many, 2e-4);
+  };
+  steps(6000);  // they have fallen, and the lists have their size
+  const long long before = allocations, lists = fast.lists_built();
+  Eigen::internal::set_is_malloc_allowed(false);
+  CHECK_NOTHROW(steps(1000));
+  Eigen::internal::set_is_malloc_allowed(true);
+  CHECK(allocations == before);
+  CHECK(fast.lists_built() > lists);
 }

@@ -1,0 +1,130 @@
+#pragma once
+// Several numbers side by side, which a vector unit adds or multiplies with one instruction. The
+// same few functions exist for a plain `double`, so that a formula is written once for both.
+//
+// This file is compiled for several processors within one program. So all of it is local to the
+// file that includes it: a function shared between them could need more than the processor has.
+
+#include <cmath>
+#include <cstdint>
+
+#include "many_balls/ball_record.hpp"
+
+#if __has_include(<experimental/simd>) && defined(__GLIBCXX__)
+#include <experimental/simd>
+#define BOUNCE_HAS_SIMD 1
+#else
+#define BOUNCE_HAS_SIMD 0
+#endif
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace bounce::many {
+namespace {
+
+// ---- One lane: plain numbers
+
+template <class V>
+inline constexpr Slot width = 1;
+
+inline double square_root(double a) { return std::sqrt(a); }
+inline double select(bool condition, double a, double b) { return condition ? a : b; }
+inline bool any(bool condition) { return condition; }
+inline double largest(double a) { return a; }
+inline double lane(double a, Slot) { return a; }
+template <class V>
+V from_array(const double* numbers) {
+  return numbers[0];
+}
+
+/// Two members side by side in the record (x and y, z and vx, ...) of each of these slots.
+inline void load_pair(const double* member, const Slot* slots, double& first, double& second) {
+  first = member[8 * slots[0]];
+  second = member[8 * slots[0] + 1];
+}
+inline void store_pair(double* member, double first, double second) {
+  member[0] = first;
+  member[1] = second;
+}
+
+#if BOUNCE_HAS_SIMD
+// ---- As many as this file is compiled for
+
+using Lanes = std::experimental::native_simd<double>;
+using LanesMask = Lanes::mask_type;
+
+template <>
+inline constexpr Slot width<Lanes> = static_cast<Slot>(Lanes::size());
+
+inline Lanes square_root(const Lanes& a) { return std::experimental::sqrt(a); }
+inline Lanes select(const LanesMask& condition, const Lanes& a, Lanes b) {
+  std::experimental::where(condition, b) = a;
+  return b;
+}
+inline bool any(const LanesMask& condition) { return std::experimental::any_of(condition); }
+inline double largest(const Lanes& a) { return std::experimental::hmax(a); }
+inline double lane(const Lanes& a, Slot n) { return a[n]; }
+template <>
+inline Lanes from_array<Lanes>(const double* numbers) {
+  return Lanes(numbers, std::experimental::element_aligned);
+}
+
+// A record's numbers are loaded in pairs, (x0 y0), (x1 y1), ..., and then put in order: all x into
+// one vector and all y into another.
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+inline void load_pair(const double* member, const Slot* slots, Lanes& first, Lanes& second) {
+  const auto pair = [&](int n) { return _mm_load_pd(member + 8 * slots[n]); };
+  __m512d even = _mm512_castpd128_pd512(pair(0)), odd = _mm512_castpd128_pd512(pair(1));
+  even = _mm512_insertf64x2(even, pair(2), 1), odd = _mm512_insertf64x2(odd, pair(3), 1);
+  even = _mm512_insertf64x2(even, pair(4), 2), odd = _mm512_insertf64x2(odd, pair(5), 2);
+  even = _mm512_insertf64x2(even, pair(6), 3), odd = _mm512_insertf64x2(odd, pair(7), 3);
+  first = Lanes(_mm512_unpacklo_pd(even, odd));
+  second = Lanes(_mm512_unpackhi_pd(even, odd));
+}
+inline void store_pair(double* member, const Lanes& first, const Lanes& second) {
+  const __m512d a = static_cast<__m512d>(first), b = static_cast<__m512d>(second);
+  const __m512d even = _mm512_unpacklo_pd(a, b), odd = _mm512_unpackhi_pd(a, b);
+  _mm_store_pd(member, _mm512_castpd512_pd128(even));
+  _mm_store_pd(member + 8, _mm512_castpd512_pd128(odd));
+  _mm_store_pd(member + 16, _mm512_extractf64x2_pd(even, 1));
+  _mm_store_pd(member + 24, _mm512_extractf64x2_pd(odd, 1));
+  _mm_store_pd(member + 32, _mm512_extractf64x2_pd(even, 2));
+  _mm_store_pd(member + 40, _mm512_extractf64x2_pd(odd, 2));
+  _mm_store_pd(member + 48, _mm512_extractf64x2_pd(even, 3));
+  _mm_store_pd(member + 56, _mm512_extractf64x2_pd(odd, 3));
+}
+#elif defined(__AVX__)
+inline void load_pair(const double* member, const Slot* slots, Lanes& first, Lanes& second) {
+  const auto pair = [&](int n) { return _mm_load_pd(member + 8 * slots[n]); };
+  const __m256d even = _mm256_insertf128_pd(_mm256_castpd128_pd256(pair(0)), pair(2), 1);
+  const __m256d odd = _mm256_insertf128_pd(_mm256_castpd128_pd256(pair(1)), pair(3), 1);
+  first = Lanes(_mm256_unpacklo_pd(even, odd));
+  second = Lanes(_mm256_unpackhi_pd(even, odd));
+}
+inline void store_pair(double* member, const Lanes& first, const Lanes& second) {
+  const __m256d a = static_cast<__m256d>(first), b = static_cast<__m256d>(second);
+  const __m256d even = _mm256_unpacklo_pd(a, b), odd = _mm256_unpackhi_pd(a, b);
+  _mm_store_pd(member, _mm256_castpd256_pd128(even));
+  _mm_store_pd(member + 8, _mm256_castpd256_pd128(odd));
+  _mm_store_pd(member + 16, _mm256_extractf128_pd(even, 1));
+  _mm_store_pd(member + 24, _mm256_extractf128_pd(odd, 1));
+}
+#else
+inline void load_pair(const double* member, const Slot* slots, Lanes& first, Lanes& second) {
+  first = Lanes([&](auto n) { return member[8 * slots[n]]; });
+  second = Lanes([&](auto n) { return member[8 * slots[n] + 1]; });
+}
+inline void store_pair(double* member, const Lanes& first, const Lanes& second) {
+  for (Slot n = 0; n < width<Lanes>; ++n) {
+    member[8 * n] = first[n];
+    member[8 * n + 1] = second[n];
+  }
+}
+#endif
+#else
+using Lanes = double;  // no vectors in this library: one lane
+#endif
+
+}  // namespace
+}  // namespace bounce::many

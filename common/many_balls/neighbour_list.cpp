@@ -1,0 +1,225 @@
+#include "many_balls/neighbour_list.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bounce::many {
+namespace {
+
+/// Balls of so many neighbouring slots are put in order by the length of their lists.
+constexpr std::size_t window = 64;
+
+std::int64_t floor_modulo(std::int64_t a, std::int64_t n) {
+  const std::int64_t rest = a % n;
+  return rest < 0 ? rest + n : rest;
+}
+
+}  // namespace
+
+void NeighbourList::build(std::vector<BallRecord>& records, std::vector<BallRecord>& scratch,
+                          std::vector<int>& number, double skin, Team& team) {
+  const std::size_t count = number.size();
+  const auto members = static_cast<std::size_t>(team.size());
+  const std::size_t groups = (count + group - 1) / group;
+  length_.resize(count);
+  new_length_.resize(count);
+  new_number_.resize(count);
+  places_.resize(count);
+  row_.resize(groups + members);
+  shares_.resize(members);
+  for (std::size_t k = 0; k < members; ++k) {
+    const auto slot = [&](std::size_t part) {
+      return static_cast<Slot>(std::min(count, groups * part / members * group));
+    };
+    shares_[k].first = slot(k);
+    shares_[k].last = slot(k + 1);
+  }
+  choose_cells(records, skin);
+  sort_by_cell(records, number);
+  order_alike(records, scratch, number);
+  team.run(
+      [&](int member) { find_neighbours(records, shares_[static_cast<std::size_t>(member)]); });
+}
+
+std::size_t NeighbourList::bytes() const {
+  const auto of = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
+  std::size_t sum =
+      of(begin_) + of(places_) + of(length_) + of(new_length_) + of(new_number_) + of(row_);
+  for (const Share& share : shares_) sum += of(share.neighbours) + of(share.found);
+  return sum;
+}
+
+/// The number of a cell along one axis. Beyond a thousand million cells all share the last one
+/// (right, but slow), and a coordinate that is no number goes to the middle.
+NeighbourList::Cell NeighbourList::cell_of(double x, double y, double z) const {
+  const auto number = [this](double distance) {
+    constexpr double last = 1e9;
+    const double cell = std::floor(distance / width_);
+    return static_cast<std::int64_t>(std::isnan(cell) ? 0 : std::clamp(cell, -last, last));
+  };
+  return {number(x), number(y), number(z)};
+}
+
+/// There is no box around the world: cells far apart share a place, as on a torus, and the distance
+/// tells their balls apart. One side has at least three, so that a cell and its two neighbours are
+/// three.
+std::int64_t NeighbourList::torus(const Cell& cell) const {
+  return (floor_modulo(cell[0], dimensions_[0]) * dimensions_[2] +
+          floor_modulo(cell[2], dimensions_[2])) *
+             dimensions_[1] +
+         floor_modulo(cell[1], dimensions_[1]);
+}
+
+void NeighbourList::choose_cells(const std::vector<BallRecord>& records, double skin) {
+  skin_ = skin;
+  largest_radius_ = 0;
+  equal_radii_ = true;
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    largest_radius_ = std::max(largest_radius_, records[i].radius);
+    equal_radii_ = equal_radii_ && records[i].radius == records[0].radius;
+  }
+  // A little wider than what may touch soon, so that no rounding separates such a pair.
+  width_ = 1.0005 * (2 * largest_radius_ + skin);
+  Cell low, high;
+  low.fill(std::numeric_limits<std::int64_t>::max());
+  high.fill(std::numeric_limits<std::int64_t>::min());
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const Cell cell = cell_of(records[i].x, records[i].y, records[i].z);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], cell[axis]);
+      high[axis] = std::max(high[axis], cell[axis]);
+    }
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    dimensions_[axis] = std::max<std::int64_t>(3, high[axis] - low[axis] + 1);
+  }
+  // Not many more cells than balls, also when a few balls are far away.
+  const auto number = [this] {
+    return static_cast<double>(dimensions_[0]) * static_cast<double>(dimensions_[1]) *
+           static_cast<double>(dimensions_[2]);
+  };
+  while (number() > 4 * static_cast<double>(places_.size()) + 64) {
+    std::int64_t& largest = *std::max_element(dimensions_.begin(), dimensions_.end());
+    largest = std::max<std::int64_t>(3, largest / 2);
+  }
+}
+
+/// A counting sort: count the balls of each cell, and then every ball knows its place.
+void NeighbourList::sort_by_cell(const std::vector<BallRecord>& records,
+                                 const std::vector<int>& number) {
+  const auto cells = static_cast<std::size_t>(dimensions_[0] * dimensions_[1] * dimensions_[2]);
+  begin_.assign(cells + 2, 0);
+  const auto place_of = [&](const BallRecord& ball) -> std::uint32_t& {
+    return begin_[static_cast<std::size_t>(torus(cell_of(ball.x, ball.y, ball.z))) + 2];
+  };
+  for (std::size_t i = 0; i < places_.size(); ++i) ++place_of(records[i]);
+  for (std::size_t cell = 2; cell < begin_.size(); ++cell) begin_[cell] += begin_[cell - 1];
+  // Now begin_[cell + 1] is where the balls of `cell` begin; as they are put there, it moves on to
+  // where they end, which is where those of the next one begin.
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const BallRecord& ball = records[i];
+    std::uint32_t& place =
+        begin_[static_cast<std::size_t>(torus(cell_of(ball.x, ball.y, ball.z))) + 1];
+    places_[place++] = {ball.x, ball.y, ball.z, static_cast<Slot>(i), number[i]};
+  }
+}
+
+/// Eight balls go through their lists side by side, and the longest list counts. So among a few
+/// dozen neighbours those with equally long lists are put together; how long they are is known from
+/// the last time.
+void NeighbourList::order_alike(std::vector<BallRecord>& records, std::vector<BallRecord>& scratch,
+                                std::vector<int>& number) {
+  const std::size_t count = places_.size();
+  std::array<std::uint16_t, 257> next;
+  for (std::size_t from = 0; from < count; from += window) {
+    const std::size_t to = std::min(count, from + window);
+    next.fill(0);
+    for (std::size_t i = from; i < to; ++i) ++next[length_[places_[i].slot] + std::size_t{1}];
+    for (std::size_t length = 1; length < next.size(); ++length) next[length] += next[length - 1];
+    for (std::size_t i = from; i < to; ++i) {
+      Place& place = places_[i];
+      const std::uint8_t length = length_[place.slot];
+      const std::size_t slot = from + next[length]++;
+      scratch[slot] = records[place.slot];
+      new_number_[slot] = place.number;
+      new_length_[slot] = length;
+      place.slot = static_cast<Slot>(slot);
+    }
+  }
+  scratch.swap(records);
+  number.swap(new_number_);
+  length_.swap(new_length_);
+  for (std::size_t i = 0; i < count; ++i) {
+    scratch[i].mass = records[i].mass;
+    scratch[i].radius = records[i].radius;
+  }
+}
+
+void NeighbourList::find_neighbours(const std::vector<BallRecord>& records, Share& share) {
+  const auto member = static_cast<std::size_t>(&share - shares_.data());
+  const auto nobody_slot = static_cast<Slot>(places_.size());
+  share.neighbours.clear();
+  for (Slot first = share.first; first < share.last; first += group) {
+    row_[first / group + member] = static_cast<Slot>(share.neighbours.size() / group);
+    std::array<std::size_t, group + 1> begin{};  // of each ball's list in share.found
+    std::size_t longest = 0;
+    for (Slot lane = 0; lane < group; ++lane) {
+      begin[lane + 1] = begin[lane];
+      if (first + lane >= share.last) continue;
+      begin[lane + 1] = find_neighbours_of(records, first + lane, share, begin[lane]);
+      const std::size_t length = begin[lane + 1] - begin[lane];
+      length_[first + lane] = static_cast<std::uint8_t>(std::min<std::size_t>(length, 255));
+      longest = std::max(longest, length);
+    }
+    for (std::size_t row = 0; row < longest; ++row) {
+      for (Slot lane = 0; lane < group; ++lane) {
+        const std::size_t at = begin[lane] + row;
+        const bool is_there = at < begin[lane + 1];
+        share.neighbours.push_back(is_there ? static_cast<Slot>(share.found[at]) : nobody_slot);
+      }
+    }
+  }
+  row_[(share.last + group - 1) / group + member] =
+      static_cast<Slot>(share.neighbours.size() / group);
+}
+
+/// Appends to share.found from `found` on; returns where the list ends.
+std::size_t NeighbourList::find_neighbours_of(const std::vector<BallRecord>& records, Slot slot,
+                                              Share& share, std::size_t found) {
+  const BallRecord& ball = records[slot];
+  const Cell cell = cell_of(ball.x, ball.y, ball.z);
+  const double reach = 2 * largest_radius_ + skin_, reach_squared = reach * reach;
+  const std::size_t begin = found;
+  const auto look_at = [&](std::size_t from, std::size_t to) {
+    if (share.found.size() < found + (to - from))
+      share.found.resize(2 * (found + (to - from)) + 64);
+    for (std::size_t i = from; i < to; ++i) {
+      const Place& other = places_[i];
+      const double x = other.x - ball.x, y = other.y - ball.y, z = other.z - ball.z;
+      double limit = reach_squared;
+      if (!equal_radii_) {
+        const double touch = ball.radius + records[other.slot].radius + skin_;
+        limit = touch * touch;
+      }
+      // Written down in any case, and kept if it is near: quicker than a branch that nobody can
+      // predict.
+      share.found[found] = static_cast<std::uint64_t>(other.number) << 32 | other.slot;
+      const bool is_near = x * x + y * y + z * z <= limit && other.slot != slot;
+      found += is_near ? 1 : 0;
+    }
+  };
+  for (std::int64_t dx = -1; dx <= 1; ++dx) {
+    for (std::int64_t dz = -1; dz <= 1; ++dz) {
+      for (std::int64_t dy = -1; dy <= 1; ++dy) {
+        const auto at = static_cast<std::size_t>(torus({cell[0] + dx, cell[1] + dy, cell[2] + dz}));
+        look_at(begin_[at], begin_[at + 1]);
+      }
+    }
+  }
+  std::sort(share.found.begin() + static_cast<std::ptrdiff_t>(begin),
+            share.found.begin() + static_cast<std::ptrdiff_t>(found));
+  return found;
+}
+
+}  // namespace bounce::many

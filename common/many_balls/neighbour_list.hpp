@@ -1,0 +1,78 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "many_balls/ball_record.hpp"
+#include "many_balls/team.hpp"
+
+namespace bounce::many {
+
+/// Balls sorted by place, and for each the others that may soon touch it: all whose surfaces are
+/// nearer than the *skin*. As long as no ball has moved further than half the skin, the list holds.
+///
+/// Each ball lists all its neighbours, so that every pair stands in two lists. This is twice the
+/// work, and worth it: a force is only ever added to the ball that asks for it. So eight balls can
+/// be done side by side and many threads can share the work, and the sum for each ball has the
+/// order of the double loop: by the neighbours' numbers.
+class NeighbourList {
+ public:
+  /// Sorts `records` (and `number`, where whose number it is stands) and finds all neighbours
+  /// within `skin` [m]. `scratch` is as large as `records`; they may trade places.
+  void build(std::vector<BallRecord>& records, std::vector<BallRecord>& scratch,
+             std::vector<int>& number, double skin, Team& team);
+
+  std::size_t bytes() const;  // of memory
+
+  /// The slots that one member of the team takes: from the first to before the second.
+  std::array<Slot, 2> share(int member) const {
+    const auto at = static_cast<std::size_t>(member);
+    return {shares_[at].first, shares_[at].last};
+  }
+  /// For Pass::row and Pass::neighbours, in the slots of that member.
+  const Slot* rows(int member) const { return row_.data() + member; }
+  const Slot* neighbours(int member) const {
+    return shares_[static_cast<std::size_t>(member)].neighbours.data();
+  }
+
+ private:
+  /// A ball as the search needs it, sorted by cell.
+  struct Place {
+    double x, y, z;
+    Slot slot;
+    int number;
+  };
+  /// What one member of the team does.
+  struct Share {
+    Slot first = 0, last = 0;
+    std::vector<Slot> neighbours;      // rows of eight
+    std::vector<std::uint64_t> found;  // of the eight balls in work: number, then slot
+  };
+  using Cell = std::array<std::int64_t, 3>;
+
+  Cell cell_of(double x, double y, double z) const;
+  std::int64_t torus(const Cell& cell) const;
+  void choose_cells(const std::vector<BallRecord>& records, double skin);
+  void sort_by_cell(const std::vector<BallRecord>& records, const std::vector<int>& number);
+  void order_alike(std::vector<BallRecord>& records, std::vector<BallRecord>& scratch,
+                   std::vector<int>& number);
+  void find_neighbours(const std::vector<BallRecord>& records, Share& share);
+  std::size_t find_neighbours_of(const std::vector<BallRecord>& records, Slot slot, Share& share,
+                                 std::size_t found);
+
+  double skin_ = 0, width_ = 1, largest_radius_ = 0;
+  bool equal_radii_ = true;
+  Cell dimensions_{};                 // of the torus of cells
+  std::vector<std::uint32_t> begin_;  // of each cell, in places_
+  std::vector<Place> places_;
+  std::vector<std::uint8_t> length_;  // of each slot's list (a very long one counts as 255)
+  std::vector<std::uint8_t> new_length_;
+  std::vector<int> new_number_;
+  // Where each group's rows begin among its share's neighbours; each share has one entry more, the
+  // end of its last group's.
+  std::vector<Slot> row_;
+  std::vector<Share> shares_;
+};
+
+}  // namespace bounce::many

@@ -1,0 +1,10 @@
+// Compiled for AVX2, and called on processors that have it: four balls side by side.
+#include "many_balls/pass_kernel.hpp"
+
+namespace bounce::many {
+
+double pass_avx2(const Pass& pass, Slot first, Slot last) {
+  return move_all<Lanes>(pass, first, last);
+}
+
+}  // namespace bounce::many
