@@ -1,5 +1,6 @@
 #include "speed_vs_error/measure.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -7,6 +8,7 @@
 #include <limits>
 
 #include "physics/reference_values.hpp"
+#include "speed_vs_error/engines.hpp"
 #include "speed_vs_error/stopwatch.hpp"
 
 namespace bounce::report {
@@ -22,9 +24,12 @@ double distance(const Row& a, const Row& b, std::size_t first, std::size_t last)
 
 /// The errors of one subject: maxima over the case's times.
 Result errors_of(const Case& on, const Subject& subject) {
-  Result result{on.name, on.stage, subject.method, subject.knob, subject.value, subject.is_peer,
-                nothing, nothing,  nothing,        nothing,      nothing};
-  if (subject.sample && subject.method != "exact") {
+  Result result{on.name,         on.stage, subject.method, subject.knob, subject.value,
+                subject.is_peer, nothing,  nothing,        nothing,      nothing,
+                nothing,         nothing,  nothing};
+  if (subject.judge) {
+    subject.judge(result);
+  } else if (subject.sample && subject.method != "exact") {
     const std::vector<Row> rows = subject.sample(on.times);
     result.position_error = result.velocity_error = result.energy_drift = 0;
     const double energy = std::abs(on.energy(on.times[0], on.truth[0]));
@@ -74,20 +79,32 @@ std::vector<std::string> about_this_run() {
   char date[16];
   const std::time_t now = std::time(nullptr);
   std::strftime(date, sizeof date, "%Y-%m-%d", std::gmtime(&now));
-  return {"processor: " + cpu_name(), std::string("compiler: ") + BOUNCE_COMPILER,
-          std::string("flags: ") + BOUNCE_FLAGS, std::string("peers: ") + BOUNCE_PEERS,
+  return {"processor: " + cpu_name(),
+          std::string("compiler: ") + BOUNCE_COMPILER,
+          std::string("flags: ") + BOUNCE_FLAGS,
+          std::string("peers: ") + BOUNCE_PEERS,
+          "engines: " + engine_versions(),
           std::string("date: ") + date};
+}
+
+std::vector<Case> all_cases() {
+  std::vector<Case> all = cases();
+  for (Case& on : all) {
+    if (on.name != "bounce" && on.name != "damped") continue;
+    add_odeint(on, on.name == "damped" ? 5 : 0);
+    add_cvode(on, on.name == "damped" ? 5 : 0);
+  }
+  all.push_back(engines_case());
+  return all;
 }
 
 }  // namespace
 
-Report measure() {
+Report measure(const std::vector<std::string>& wanted) {
   Report report{about_this_run(), {}};
-  for (Case& on : cases()) {
-    if (on.name == "bounce" || on.name == "damped") {
-      add_odeint(on, on.name == "damped" ? 5 : 0);
-      add_cvode(on, on.name == "damped" ? 5 : 0);
-    }
+  for (const Case& on : all_cases()) {
+    const bool is_wanted = std::find(wanted.begin(), wanted.end(), on.name) != wanted.end();
+    if (!wanted.empty() && !is_wanted) continue;
     std::fprintf(stderr, "%s: %zu runs, errors", on.name.c_str(), on.subjects.size());
     std::vector<Result> results;
     std::vector<Work> works;

@@ -3,7 +3,8 @@
 
 namespace bounce::report {
 
-/// Runs everything. Takes minutes, and says on standard error how far it is.
-Report measure();
+/// Runs the cases with these names, or all when there are none. Takes minutes, and says on standard
+/// error how far it is.
+Report measure(const std::vector<std::string>& wanted);
 
 }  // namespace bounce::report

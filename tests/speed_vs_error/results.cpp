@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* header =
     "case,stage,method,peer,knob,value,position_error_m,velocity_error_m_per_s,energy_drift,"
-    "cpu_us_per_s,force_evaluations_per_s";
+    "top_error,top_time_error_s,cpu_us_per_s,force_evaluations_per_s";
 
 std::string rounded(double value) {
   char text[32];
@@ -30,8 +30,8 @@ std::string to_csv(const Report& report) {
   for (const Result& r : report.results) {
     text += r.case_name + "," + std::to_string(r.stage) + "," + r.method + "," +
             (r.is_peer ? "yes" : "no") + "," + r.knob;
-    for (const double number :
-         {r.value, r.position_error, r.velocity_error, r.energy_drift, r.cost, r.evaluations}) {
+    for (const double number : {r.value, r.position_error, r.velocity_error, r.energy_drift,
+                                r.top_error, r.top_time_error, r.cost, r.evaluations}) {
       text += "," + rounded(number);
     }
     text += "\n";
@@ -51,14 +51,38 @@ Report from_csv(const std::string& text) {
     std::vector<std::string> cells;
     std::istringstream row(line);
     for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
-    if (cells.size() != 11)
+    if (cells.size() != 13)
       throw std::runtime_error("not a row of " + std::string(csv_file) + ": " + line);
     const auto number = [&cells](std::size_t i) { return std::stod(cells[i]); };
     report.results.push_back({cells[0], std::stoi(cells[1]), cells[2], cells[4], number(5),
                               cells[3] == "yes", number(6), number(7), number(8), number(9),
-                              number(10)});
+                              number(10), number(11), number(12)});
   }
   return report;
+}
+
+Report merged(const Report& old, const Report& fresh) {
+  Report both{fresh.about, {}};
+  both.about.push_back("in parts: not all in one run");
+  const auto has = [](const Report& report, const std::string& name) {
+    return std::any_of(report.results.begin(), report.results.end(),
+                       [&name](const Result& r) { return r.case_name == name; });
+  };
+  std::string placed;  // a fresh case takes the place of the old one
+  for (const Result& r : old.results) {
+    if (!has(fresh, r.case_name)) {
+      both.results.push_back(r);
+    } else if (placed.find("," + r.case_name + ",") == std::string::npos) {
+      placed += "," + r.case_name + ",";
+      for (const Result& f : fresh.results) {
+        if (f.case_name == r.case_name) both.results.push_back(f);
+      }
+    }
+  }
+  for (const Result& f : fresh.results) {
+    if (!has(old, f.case_name)) both.results.push_back(f);
+  }
+  return both;
 }
 
 std::string fingerprint(const std::string& text) {

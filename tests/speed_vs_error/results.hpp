@@ -12,6 +12,9 @@ struct Report {
   std::vector<Result> results;
 };
 
+/// The old report with the cases of the fresh one in place of its own.
+Report merged(const Report& old, const Report& fresh);
+
 /// The file that the page and the figures are made from.
 inline constexpr const char* csv_file = "docs/speed_vs_error.csv";
 

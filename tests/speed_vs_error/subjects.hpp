@@ -8,6 +8,18 @@ namespace bounce::report {
 /// The numbers of a state: position, then velocity; one of each in one dimension, else three.
 using Row = std::vector<double>;
 
+/// What was measured of one subject. Not a number: not measured.
+struct Result {
+  std::string case_name;
+  int stage;
+  std::string method, knob;
+  double value;
+  bool is_peer;
+  double position_error, velocity_error, energy_drift;  // maxima over the times; m, m/s, relative
+  double top_error, top_time_error;  // of six bounces: heights, relative; time of the last, s
+  double cost, evaluations;          // us of CPU time and force calls, per second
+};
+
 /// One method with one time step or tolerance, on one case.
 struct Subject {
   std::string method;
@@ -17,6 +29,7 @@ struct Subject {
   std::function<std::vector<Row>(const std::vector<double>& times)> sample;  // the states then
   std::function<double()> run;               // to the end of the case and nothing else
   std::function<long long()> evaluations{};  // of the force, in one run
+  std::function<void(Result&)> judge{};      // fills in the errors, in place of the case's truth
   int balls = 1;                             // that one run moves; cost is given for one of them
 };
 
@@ -30,17 +43,6 @@ struct Case {
   std::vector<Row> truth;                                // at those times
   std::function<double(double t, const Row&)> energy{};  // [J]
   std::vector<Subject> subjects{};
-};
-
-/// What was measured of one subject.
-struct Result {
-  std::string case_name;
-  int stage;
-  std::string method, knob;
-  double value;
-  bool is_peer;
-  double position_error, velocity_error, energy_drift;  // maxima over the times; m, m/s, relative
-  double cost, evaluations;  // us of CPU time and force calls, per second
 };
 
 /// The cases with the course's own methods (own_methods.cpp).

@@ -93,6 +93,30 @@ double cost_at(const Report& report, const std::string& case_name, const std::st
   throw std::runtime_error("no " + method + " with this dt in " + case_name);
 }
 
+/// "1/60" for 0.01667, as game programmers say it.
+std::string step_text(double dt) {
+  const long per_second = std::lround(1 / dt);
+  return per_second < 1000 ? "1/" + std::to_string(per_second) : text_of(dt);
+}
+
+std::string engine_table(const Report& report) {
+  std::string out =
+      "| | step [s] | us per s | largest error [m] | six heights | time of the sixth [s] |\n"
+      "|---|---|---|---|---|---|\n";
+  for (const std::string& method : methods_in(report, "engines")) {
+    for (const Result& r : results_of(report, "engines", method)) {
+      const bool shown = r.knob.empty() || r.value > 0.004 || r.value < 1.1e-4;
+      if (!shown) continue;
+      const bool lies = std::isinf(r.top_error);  // fewer than six bounces
+      out += "| " + (r.is_peer ? method : "`" + method + "`") + " | " +
+             (r.knob.empty() ? "none" : step_text(r.value)) + " | " + text_of(r.cost) + " | " +
+             text_of(r.position_error) + " | " + (lies ? "-" : text_of(r.top_error * 100) + " %") +
+             " | " + (lies ? "-" : text_of(r.top_time_error)) + " |\n";
+    }
+  }
+  return out;
+}
+
 std::string model_table(const Report& report) {
   const double dt = 1e-4;
   const double bare = cost_at(report, "damped", "bare loop", dt);
@@ -105,6 +129,10 @@ std::string model_table(const Report& report) {
   row("the slides' bare loop", bare);
   row("the library, one dimension (stage 3)", cost_at(report, "damped", method, dt));
   row("the library, three dimensions (stage 4)", cost_at(report, "space", method, dt));
+  for (const std::string& engine : methods_in(report, "engines")) {
+    const Result first = results_of(report, "engines", engine)[0];
+    if (first.is_peer) row(engine, cost_at(report, "engines", engine, dt));
+  }
   return out;
 }
 
@@ -175,6 +203,7 @@ std::string table(const Report& report, const std::string& name) {
   if (name == "headline") return headline_table(report);
   if (name == "orders") return order_table(report);
   if (name == "model") return model_table(report);
+  if (name == "engines") return engine_table(report);
   if (name.rfind("cost ", 0) == 0) return cost_table(report, name.substr(5));
   throw std::runtime_error("there is no table " + name);
 }

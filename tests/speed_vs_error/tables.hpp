@@ -5,7 +5,7 @@
 
 namespace bounce::report {
 
-/// A markdown table made from the report: "machine", "headline", "orders", "model", or
+/// A markdown table made from the report: "machine", "headline", "orders", "model", "engines" or
 /// "cost CASE". Throws std::runtime_error for any other name.
 std::string table(const Report& report, const std::string& name);
 
