@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <filesystem>
 #include <set>
 
 #include "docs/lesson_tool.hpp"
@@ -23,6 +24,29 @@ TEST_CASE("the figures of the speed report are drawn from the committed CSV") {
     CHECK(test::read_file(root + "docs/speed_vs_error.md").find("images/speed_vs_error_" + name) !=
           std::string::npos);
   }
+}
+
+TEST_CASE("every lesson shows the figure of its stage, and what to choose from it") {
+  const std::string root = std::string(BOUNCE_SOURCE_DIR) + "/";
+  const report::Report data = report::from_csv(test::read_file(root + report::csv_file));
+  for (const std::filesystem::path& file : test::lesson_files(root)) {
+    const std::string name = file.filename().string();
+    if (name[0] != '0' || name[1] == '0') continue;  // no lesson of a stage
+    if (name[1] == '5') continue;                    // has no exact solution to compare with
+    const std::string text = test::read_file(root + file.string());
+    bool figure = false, choice = false;
+    for (const report::Result& result : data.results) {
+      if (result.stage != name[1] - '0') continue;
+      const std::string& of = result.case_name;
+      figure |= text.find("](images/speed_vs_error_" + of + ".svg)") != std::string::npos;
+      choice |= text.find("<!-- table: speed_vs_error choice " + of + " -->") != std::string::npos;
+    }
+    INFO(name);
+    CHECK(figure);
+    CHECK(choice);
+  }
+  const std::string front = test::read_file(root + "README.md");
+  CHECK(front.find("<!-- table: speed_vs_error headline -->") != std::string::npos);
 }
 
 TEST_CASE("the CSV of the speed report reads back as it was written") {

@@ -104,11 +104,19 @@ std::vector<std::string> methods_in(const Report& report, const std::string& cas
   return methods;
 }
 
+std::vector<Result> results_in(const Report& report, const std::string& case_name) {
+  std::vector<Result> found;
+  for (const Result& r : report.results) {
+    if (r.case_name == case_name) found.push_back(r);
+  }
+  return found;
+}
+
 std::vector<Result> results_of(const Report& report, const std::string& case_name,
                                const std::string& method) {
   std::vector<Result> found;
-  for (const Result& r : report.results) {
-    if (r.case_name == case_name && r.method == method) found.push_back(r);
+  for (const Result& r : results_in(report, case_name)) {
+    if (r.method == method) found.push_back(r);
   }
   return found;
 }

@@ -28,6 +28,9 @@ std::string fingerprint(const std::string& text);
 /// The names of the methods in one case, in the order of the file.
 std::vector<std::string> methods_in(const Report& report, const std::string& case_name);
 
+/// All results of one case.
+std::vector<Result> results_in(const Report& report, const std::string& case_name);
+
 /// All results of one method in one case.
 std::vector<Result> results_of(const Report& report, const std::string& case_name,
                                const std::string& method);

@@ -5,7 +5,8 @@
 
 namespace bounce::report {
 
-/// The numbers of a state: position, then velocity; one of each in one dimension, else three.
+/// The numbers of a state: positions, then as many velocities. Where only the running simulation
+/// knows the energy, that is one more number at the end.
 using Row = std::vector<double>;
 
 /// What was measured of one subject. Not a number: not measured.
@@ -47,6 +48,9 @@ struct Case {
 
 /// The cases with the course's own methods (own_methods.cpp).
 std::vector<Case> cases();
+
+/// Adds those of the stages that have a Simulation class of their own (simulated_cases.cpp).
+void add_simulated_cases(std::vector<Case>& all);
 
 /// Adds other programs' methods to the cases "bounce" and "damped" (peers_*.cpp). Where a peer was
 /// not installed when CMake looked, its function adds nothing.

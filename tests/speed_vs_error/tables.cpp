@@ -69,6 +69,71 @@ std::string cost_table(const Report& report, const std::string& case_name) {
   return out;
 }
 
+/// For a lesson: the course's methods only, and what each step buys.
+std::string choice_table(const Report& report, const std::string& case_name) {
+  std::string out =
+      "| method | error with 1 ms [m] | to 1 mm: us (step) | to 1 um | to 1 nm | order |\n"
+      "|---|---|---|---|---|---|\n";
+  for (const std::string& method : methods_in(report, case_name)) {
+    const std::vector<Result> results = results_of(report, case_name, method);
+    const bool steps = results[0].knob == "dt" && !std::isnan(results[0].position_error);
+    if (results[0].is_peer || (!steps && method != "exact" && method != "reference")) continue;
+    out += "| `" + method + "` |";
+    if (method == "exact") {
+      const std::string cost = text_of(results[0].cost);
+      out += " rounding | " + cost + " | " + cost + " | " + cost + " | - |\n";
+      continue;
+    }
+    std::string with_1_ms = "-";
+    for (const Result& r : results) {
+      if (r.knob == "dt" && std::abs(r.value / 1e-3 - 1) < 1e-3)
+        with_1_ms = text_of(r.position_error);
+    }
+    out += " " + with_1_ms + " |";
+    for (const double error : {1e-3, 1e-6, 1e-9}) {
+      const Result* r = cheapest(results, error);
+      out += r == nullptr ? " - |" : " " + text_of(r->cost) + " (" + text_of(r->value) + ") |";
+    }
+    out += " " + text_of(measured_order(results)) + " |\n";
+  }
+  return out;
+}
+
+/// What cutting the steps at the events buys: RK4 on the two bounces, without and with.
+std::string events_table(const Report& report) {
+  std::string out = "| RK4 | (a) undamped | (b) damped |\n|---|---|---|\n";
+  struct Pair {
+    Result without, with;  // the most accurate of all, and the best that takes less work
+  };
+  const auto best = [&report](const char* name) {
+    const std::vector<Result> without = results_of(report, name, "rk4");
+    const std::vector<Result> with = results_of(report, name, "rk4-events");
+    Pair pair{*most_accurate(without), with.at(0)};
+    for (const Result& r : with) {
+      if (r.evaluations > pair.without.evaluations) continue;
+      if (r.position_error < pair.with.position_error) pair.with = r;
+    }
+    return pair;
+  };
+  const Pair a = best("bounce"), b = best("damped");
+  const auto row = [&out](const std::string& what, const std::string& in_a,
+                          const std::string& in_b) {
+    out += "| " + what + " | " + in_a + " | " + in_b + " |\n";
+  };
+  const auto text = [](const Result& r) {
+    return text_of(r.position_error) + " m with " + text_of(r.value) + " s";
+  };
+  row("the best without located events", text(a.without), text(b.without));
+  row("with located events", text(a.with), text(b.with));
+  row("times more accurate", text_of(a.without.position_error / a.with.position_error),
+      text_of(b.without.position_error / b.with.position_error));
+  row("times fewer force evaluations", text_of(a.without.evaluations / a.with.evaluations),
+      text_of(b.without.evaluations / b.with.evaluations));
+  row("times less CPU time", text_of(a.without.cost / a.with.cost),
+      text_of(b.without.cost / b.with.cost));
+  return out;
+}
+
 std::string order_table(const Report& report) {
   const std::vector<std::string> in{"fall", "bounce", "damped", "space", "shaken", "tilted"};
   std::string out = "| method |", line = "|---|";
@@ -134,6 +199,16 @@ std::string model_table(const Report& report) {
     if (first.is_peer) row(engine, cost_at(report, "engines", engine, dt));
   }
   return out;
+}
+
+/// What a plane costs: the same steps on a level floor and on a tilted plane.
+std::string plane_table(const Report& report) {
+  const double dt = 1e-4;
+  const std::string method = "semi-implicit-euler";
+  const double level = cost_at(report, "space", method, dt) * dt * 1e3;
+  const double tilted = cost_at(report, "tilted", method, dt) * dt * 1e3;
+  return "| | ns a step |\n|---|---|\n| a level floor (stage 4) | " + text_of(level, 3) +
+         " |\n| a plane (stage 7) | " + text_of(tilted, 3) + " |\n";
 }
 
 std::string headline_table(const Report& report) {
@@ -203,6 +278,9 @@ std::string table(const Report& report, const std::string& name) {
   if (name == "headline") return headline_table(report);
   if (name == "orders") return order_table(report);
   if (name == "model") return model_table(report);
+  if (name == "plane") return plane_table(report);
+  if (name == "events") return events_table(report);
+  if (name.rfind("choice ", 0) == 0) return choice_table(report, name.substr(7));
   if (name == "engines") return engine_table(report);
   if (name.rfind("cost ", 0) == 0) return cost_table(report, name.substr(5));
   throw std::runtime_error("there is no table " + name);

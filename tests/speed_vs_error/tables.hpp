@@ -5,8 +5,8 @@
 
 namespace bounce::report {
 
-/// A markdown table made from the report: "machine", "headline", "orders", "model", "engines" or
-/// "cost CASE". Throws std::runtime_error for any other name.
+/// A markdown table made from the report: "machine", "headline", "orders", "events", "model",
+/// "plane", "engines", "choice CASE" or "cost CASE". Throws std::runtime_error for any other name.
 std::string table(const Report& report, const std::string& name);
 
 }  // namespace bounce::report

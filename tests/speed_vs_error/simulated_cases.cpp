@@ -1,0 +1,101 @@
+// Cases of the stages that have a Simulation class of their own: many balls, and the racket. Truth
+// is the method that goes by events; where a stage offers none, there is no case.
+
+#include <memory>
+#include <utility>
+
+#include "05_ball_collision/balls_simulation.hpp"
+#include "08_racket_game/racket_run.hpp"
+#include "speed_vs_error/subjects.hpp"
+
+namespace bounce::report {
+namespace {
+
+/// What the simulation shows of all its balls now, and its energy at the end.
+Row row_of(const Simulation& simulation) {
+  const std::vector<std::string> columns = simulation.columns();
+  const std::vector<double> values = simulation.values();
+  Row row, velocities;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::string& name = columns[i % columns.size()];
+    if (name[0] == 'v') velocities.push_back(values[i]);
+    if (name == "x" || name == "y" || name == "z") row.push_back(values[i]);
+  }
+  row.insert(row.end(), velocities.begin(), velocities.end());
+  row.push_back(simulation.energy().total());
+  return row;
+}
+
+Subject subject_of(const std::shared_ptr<Simulation>& run, Method method, double dt, double t_end) {
+  const bool steps = dt > 0;
+  Subject subject{name_of(method), steps ? "dt" : "", dt, false, {}, {}};
+  const auto begin = [=] {
+    run->use_method(method);
+    if (steps) run->use_dt(dt);
+    run->restart();
+  };
+  subject.sample = [=](const std::vector<double>& times) {
+    begin();
+    std::vector<Row> rows;
+    for (const double t : times) {
+      try {
+        run->advance_to(t);
+      } catch (const NonFinite&) {  // too large a step: the rows end here
+        break;
+      }
+      rows.push_back(row_of(*run));
+    }
+    return rows;
+  };
+  subject.run = [=] {
+    begin();
+    run->advance_to(t_end);
+    return run->values()[1];
+  };
+  subject.evaluations = [=] {
+    begin();
+    run->advance_to(t_end);
+    return run->steps() * force_evaluations_per_step(method) + run->counted_force_evaluations();
+  };
+  return subject;
+}
+
+using Settings = std::vector<std::pair<const char*, const char*>>;
+
+void add_case(std::vector<Case>& all, const std::string& name, int stage, const std::string& what,
+              double t_end, std::shared_ptr<Simulation> run, const Settings& settings) {
+  for (const auto& [parameter, value] : settings) {
+    const std::vector<Parameter> parameters = run->parameters();
+    find_parameter(parameters, parameter).set(value);
+  }
+  const Method truth = run->methods().back();
+  if (truth != Method::exact) return;
+  Case one{name, stage, what, t_end, {}, {}};
+  for (int i = 1; i <= 100; ++i) one.times.push_back(t_end * i / 100);
+  one.energy = [](double /*t*/, const Row& row) { return row.back(); };
+  one.subjects.push_back(subject_of(run, truth, 0, t_end));
+  one.truth = one.subjects[0].sample(one.times);
+  for (const Method method : run->methods()) {
+    if (method == truth) continue;
+    for (const double dt : geometric(1e-2, 2e-6, 3)) {
+      one.subjects.push_back(subject_of(run, method, dt, t_end));
+    }
+  }
+  all.push_back(one);
+}
+
+}  // namespace
+
+void add_simulated_cases(std::vector<Case>& all) {
+  add_case(all, "pair", 5, "two balls that meet off centre, with a damper, 1 s", 1,
+           std::make_shared<BallsSimulation>(), {{"gap", "0.08"}, {"damping", "5"}});
+  add_case(all, "cradle", 5, "five balls in a row that touch, 1 s", 1,
+           std::make_shared<BallsSimulation>(), {{"scene", "cradle"}});
+
+  const auto racket = std::make_shared<RacketRun>();
+  racket->play_as(PlayerKind::none);
+  add_case(all, "racket", 8, "a ball over a racket that rises and moves aside, 2 s", 2, racket,
+           {{"racket_velocity", "0.2,0.5,0"}, {"velocity", "0.2,0,0"}});
+}
+
+}  // namespace bounce::report
