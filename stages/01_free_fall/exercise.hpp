@@ -1,0 +1,65 @@
+// Your turn, stage 1: a ball falls. Edit mine.hpp (./course check 1 makes it from exercise.hpp):
+// fill the gaps marked YOUR TURN, and nothing else. Then run ./course check 1, or ./course check 1
+// --watch once: it looks at every save. Lesson: docs/01_free_fall.md. Stuck? ./course check 1
+// --hint
+#pragma once
+#include <vector>
+
+#include "physics/energy.hpp"
+#include "physics/parameters.hpp"
+#include "physics/state.hpp"
+
+namespace bounce {
+
+/// Stage 1. A ball in free fall: the only force is gravity. One dimension, y is up.
+struct FreeFall {
+  double mass = 1.0;              // kg
+  double gravity = 9.81;          // m/s^2
+  State<double> start{5.0, 0.0};  // m, m/s
+
+  // [force]
+  // YOUR TURN 1 of 3: the force on the ball [N]. (Lesson: "The idea")
+  // You have: mass [kg], gravity [m/s^2, positive]. y is up.
+  // Must hold: gravity is the only force, it pulls downwards, and it is the same everywhere.
+  double force(double /*t*/, const State<double>& /*state*/) const {
+    return 0;  // <- here
+  }
+  // [force]
+
+  // [acceleration]
+  // YOUR TURN 2 of 3: the acceleration that this force causes [m/s^2]. (Lesson: "The idea")
+  // You have: force(t, state) [N] from above, mass [kg].
+  // Must hold: F = m a, whatever the force and the mass are.
+  double acceleration([[maybe_unused]] double t,
+                      [[maybe_unused]] const State<double>& state) const {
+    return 0;  // <- here
+  }
+  // [acceleration]
+
+  Energy energy(const State<double>& state) const {
+    return {kinetic_energy(mass, state.velocity),
+            gravitational_energy(mass, gravity, state.position), 0};
+  }
+
+  std::vector<Parameter> parameters() {
+    return {describe::mass(mass), describe::gravity(gravity), describe::position(start.position, 5),
+            describe::velocity(start.velocity)};
+  }
+};
+
+/// The loop of the slides, once around: force -> acceleration -> velocity -> position. It will
+/// never change again, and so it lives in common/physics/integrators.hpp, under its name in the
+/// field: semi_implicit_euler. A test shows that the two are equal to the bit.
+// [loop]
+// YOUR TURN 3 of 3: the loop, once around. (Lesson: "The program")
+// You have: scene.acceleration(t, state) [m/s^2], state.position [m], state.velocity [m/s], dt [s].
+// Must hold: afterwards `state` is one time step dt later. First the velocity changes, by the
+// acceleration at (t, state); then the position, by the *new* velocity. It works for every scene.
+template <class Scene>
+void fall_one_step([[maybe_unused]] const Scene& scene, [[maybe_unused]] double t,
+                   [[maybe_unused]] State<double>& state, [[maybe_unused]] double dt) {
+  // <- here
+}
+// [loop]
+
+}  // namespace bounce

@@ -1,0 +1,94 @@
+#include <doctest/doctest.h>
+
+#include "checks/run_check.hpp"
+
+using namespace bounce::check;
+
+namespace {
+
+double spring(const Moment& m) { return m.setting.stiffness * (m.setting.radius - m.y()); }
+double right(const Moment& m) { return -m.weight() + (m.overlaps() ? spring(m) : 0); }
+
+Question<Moment> force_question(const std::string& tested) {
+  Question<Moment> q;
+  q.tested = tested;
+  q.unit = "N";
+  q.names = {"", "F", ""};
+  q.lesson = "docs/02_spring_floor.md, \"The idea\"";
+  q.answer = [](const Moment& m) { return subject().force(m.setting, m.t, m.motion); };
+  q.truth = [](const Moment& m) { return up(right(m)); };
+  q.rounding = force_rounding;
+  q.where = on_a_line;
+  q.when = one_moment;
+  q.look_at = "F = -m g, and while y < r also + k (r - y).";
+  q.suspects = {
+      {"gravity points up", "y counts upwards, gravity pulls downwards: -mass * gravity.",
+       [](const Moment& m) { return up(right(m) + 2 * m.weight()); }},
+      {"mass forgotten",
+       "a force is wanted, and gravity alone is an acceleration: -mass * gravity.",
+       [](const Moment& m) { return up(right(m) + m.weight() - m.setting.gravity); }},
+      {"the spring in place of gravity",
+       "in contact the weight is gone. Forces add up: force += ..., not force = ...",
+       [](const Moment& m) { return up(m.overlaps() ? spring(m) : -m.weight()); }},
+      {"gravity forgotten", "the ball has its weight everywhere, on the floor too.",
+       [](const Moment& m) { return up(right(m) + m.weight()); }},
+      {"the spring pulls outside contact",
+       "above the floor the spring is stretched and pulls the ball down. A floor does not: only "
+       "while y < r.",
+       [](const Moment& m) { return up(-m.weight() + spring(m)); }},
+      {"y < 0 for y < r",
+       "the spring starts when the ball's centre reaches the floor. Its lower edge gets there a "
+       "radius earlier: while y < r.",
+       [](const Moment& m) { return up(-m.weight() + (m.y() < 0 ? spring(m) : 0)); }},
+      {"y < 0 for y < r",
+       "contact and overlap are counted from the ball's centre, as if it had no radius: while y < "
+       "r, the overlap is r - y.",
+       [](const Moment& m) {
+         return up(-m.weight() + (m.y() < 0 ? -m.setting.stiffness * m.y() : 0));
+       }},
+      {"the radius forgotten", "the overlap is r - y: the radius is missing in yours.",
+       [](const Moment& m) {
+         return up(-m.weight() + (m.overlaps() ? -m.setting.stiffness * m.y() : 0));
+       }},
+      {"the spring on the wrong side",
+       "the spring pulls the ball in. It pushes upwards, with + k (r - y): positive while they "
+       "overlap.",
+       [](const Moment& m) { return up(-m.weight() - (m.overlaps() ? spring(m) : 0)); }},
+      {"no spring",
+       "this is gravity alone. While the ball overlaps the floor a spring pushes, too.",
+       [](const Moment& m) { return up(-m.weight()); }},
+      {example_numbers, example_advice,
+       [](const Moment& m) { return up(right(as_in_the_example(m))); }}};
+  return q;
+}
+
+/// Balls whose overlap with the floor is between `least` and `most` radii.
+std::vector<Moment> moments(unsigned seed, double least, double most) {
+  Dice dice(seed);
+  std::vector<Moment> all;
+  for (int i = 0; i < 24; ++i) {
+    const Setting s = any_setting(dice);
+    const double overlap = s.radius * dice.between(least, most);
+    all.push_back({s, dice.between(0, 3), {up(s.radius - overlap), up(dice.between(-5, 5))}});
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_SUITE("02_spring_floor") {
+  TEST_CASE("away from the floor only gravity acts") {
+    judge(force_question("the force on a ball that does not touch"), moments(21, -9, -0.01));
+  }
+  TEST_CASE("while they overlap, a spring pushes up with k times the overlap") {
+    judge(force_question("the force on a ball that overlaps the floor"), moments(22, 0.01, 2));
+  }
+  TEST_CASE("the ball falls, bounces once, and is where the formula says, for several dt") {
+    Dice dice(23);
+    std::vector<Run> runs;
+    for (const double dt : {1e-4, 5e-5, 1e-5}) {
+      runs.push_back(bounce_run(any_setting(dice), up(1), dice.between(0.3, 1.5), dt));
+    }
+    judge_runs("docs/02_spring_floor.md, \"The program\"", runs);
+  }
+}

@@ -1,0 +1,12 @@
+// The way in one step is v dt; a dt^2 comes in by itself.
+// check: one step of the loop: acceleration, then velocity, then position
+// told: dt twice
+
+// [loop]
+template <class Scene>
+void fall_one_step(const Scene& scene, double t, State<double>& state, double dt) {
+  const double acceleration = scene.acceleration(t, state);  // from the force
+  state.velocity += acceleration * dt * dt;                  // acceleration changes velocity
+  state.position += state.velocity * dt;                     // velocity changes position
+}
+// [loop]
