@@ -9,6 +9,7 @@
 #include "physics/stability.hpp"
 #include "run/interrupt.hpp"
 #include "run/output_file.hpp"
+#include "run/progress.hpp"
 #include "run/save_load.hpp"
 
 namespace bounce {
@@ -112,7 +113,8 @@ std::string summary(const StageName& stage, Simulation& simulation, double start
     say("velocity_error_m_per_s", error->velocity);
   }
   const std::string more = simulation.summary();
-  return more.empty() ? line : line + " " + more;
+  if (!more.empty()) line += " " + more;
+  return interrupted() ? line + " interrupted=yes" : line;
 }
 
 }  // namespace
@@ -131,10 +133,11 @@ int run_headless(const StageName& stage, Simulation& simulation, const Options& 
   const long long steps_at_start = simulation.steps();
   const Clock::time_point begin = Clock::now();
   double stepping = 0;
+  std::optional<ProgressBar> bar(std::in_place, simulation, options.duration, options.csv == "-");
   const auto advance = [&](double t) {
     const Clock::time_point now = Clock::now();
-    while (!interrupted() && !simulation.advance_some(t)) {
-    }
+    while (!interrupted() && !simulation.advance_some(t)) bar->show(simulation);
+    bar->show(simulation);
     stepping += seconds_since(now);
   };
 
@@ -155,6 +158,7 @@ int run_headless(const StageName& stage, Simulation& simulation, const Options& 
     if (trace) trace->finish();  // the rows up to the last good state tell what happened
     throw;
   }
+  bar.reset();  // gone before anything else is said
   if (trace) trace->finish();
   if (!options.save.empty()) save_state(options.save, stage, simulation);
   std::cerr << summary(stage, simulation, start, seconds_since(begin), stepping, energy_at_start,
