@@ -80,7 +80,8 @@ inline Arrangement cradle(int count, double gap) {
 inline Arrangement tower(double gap) {
   Arrangement start(2);
   start.mass << 10, 1;
-  start.radius << 0.2, 0.2 / std::cbrt(10.0);
+  // The cube root of 10, written out: not every compiler and C library rounds it alike.
+  start.radius << 0.2, 0.2 / 2.1544346900318838;
   start.balls.position(1, 0) = 0.8 + start.radius[0];
   start.balls.position(1, 1) = start.balls.position(1, 0) + start.radius.sum() + gap;
   return start;

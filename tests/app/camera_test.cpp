@@ -42,15 +42,16 @@ TEST_CASE("the camera is a pinhole") {
     Vector3d point;
     float x, y;
   };
-  for (const auto& [point, x, y] : {Case{{0, 0, 0}, 420, 290},   // the middle
-                                    Case{{0, 2, 0}, 420, 50},    // the upper edge: y is up
-                                    Case{{2, 0, 0}, 660, 290},   // x to the right
-                                    Case{{2, 0, -2}, 540, 290},  // twice as far, half as large
-                                    Case{{1, -1, 1}, 660, 530}}) {
-    CAPTURE(x);
-    CAPTURE(y);
-    CHECK(std::abs(camera.at(point).x - x) < 0.001f);  // pixels are floats: 1e-4 of rounding
-    CHECK(std::abs(camera.at(point).y - y) < 0.001f);
+  for (const Case& seen : {Case{{0, 0, 0}, 420, 290},   // the middle
+                           Case{{0, 2, 0}, 420, 50},    // the upper edge: y is up
+                           Case{{2, 0, 0}, 660, 290},   // x to the right
+                           Case{{2, 0, -2}, 540, 290},  // twice as far, half as large
+                           Case{{1, -1, 1}, 660, 530}}) {
+    CAPTURE(seen.x);
+    CAPTURE(seen.y);
+    CHECK(std::abs(camera.at(seen.point).x - seen.x) <
+          0.001f);  // pixels are floats: 1e-4 of rounding
+    CHECK(std::abs(camera.at(seen.point).y - seen.y) < 0.001f);
   }
   CHECK(std::abs(camera.per_metre({1, 1, 0}) - 120) < 0.001f);
   // What the mouse grabs at a point's own pixel is that point.

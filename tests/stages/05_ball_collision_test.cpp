@@ -286,7 +286,8 @@ TEST_CASE("stage 5: three touching balls do not hand a push on whole; with gaps 
   // pi/2 times the greatest overlap. With wider gaps only one pair touches at a time, and the push
   // arrives whole. (With a gap of just the overlap, 4.95 mm, it does to 0.2 %.)
   const double w_dt = 1e-3;
-  for (const auto& [gap, tolerance] : {std::pair{0.008, w_dt * w_dt}, std::pair{0.00496, 0.002}}) {
+  for (const auto& row : {std::pair{0.008, w_dt * w_dt}, std::pair{0.00496, 0.002}}) {
+    const double gap = row.first, tolerance = row.second;
     Run apart({{1, 0.1, {-0.21, 0, 0}, {v0, 0, 0}},
                {1, 0.1, {0, 0, 0}, {0, 0, 0}},
                {1, 0.1, {0.2 + gap, 0, 0}, {0, 0, 0}}},

@@ -171,7 +171,8 @@ TEST_CASE("stage 6: a floor at constant speed bounces a ball as one at rest does
 TEST_CASE("stage 6: an absolute damper knows who watches") {
   const std::array<std::array<double, 2>, 5> known{
       {{-4, 0.805403}, {-2, 0.787982}, {0, 0.768217}, {2, 0.745742}, {4, 0.720125}}};
-  for (const auto& [u, e] : known) {
+  for (const std::array<double, 2>& row : known) {
+    const double u = row[0], e = row[1];
     const OscillatingFloor scene = meeting(u, FloorLaw::absolute);
     CAPTURE(u);
     CHECK(std::abs(exact_restitution(scene) - e) < 5e-7);

@@ -316,18 +316,17 @@ TEST_CASE("stage 7: what is no plane is refused") {
   struct Bad {
     const char *setting, *allowed;
   };
-  for (const auto& [setting, allowed] :
-       {Bad{"normal=0,0,0", "not all of them 0"}, Bad{"normal=-0,0,0", "not all of them 0"},
-        Bad{"normal=1,2", "3 numbers"}, Bad{"normal=up", "3 numbers"},
-        Bad{"normal=0,inf,0", "3 numbers"}, Bad{"offset=nan", "a number from"},
-        Bad{"offset=1,2", "a number from"}}) {
+  for (const Bad& bad : {Bad{"normal=0,0,0", "not all of them 0"},
+                         Bad{"normal=-0,0,0", "not all of them 0"}, Bad{"normal=1,2", "3 numbers"},
+                         Bad{"normal=up", "3 numbers"}, Bad{"normal=0,inf,0", "3 numbers"},
+                         Bad{"offset=nan", "a number from"}, Bad{"offset=1,2", "a number from"}}) {
     const test::Outcome outcome =
-        test::run_program(std::string("07_tilted_plane --headless --set ") + setting);
-    CAPTURE(setting);
+        test::run_program(std::string("07_tilted_plane --headless --set ") + bad.setting);
+    CAPTURE(bad.setting);
     CAPTURE(outcome.err);
     CHECK(outcome.code == 2);
     CHECK(outcome.out.empty());
-    CHECK(outcome.err.find(allowed) != std::string::npos);
+    CHECK(outcome.err.find(bad.allowed) != std::string::npos);
   }
   CHECK(test::run_program("07_tilted_plane --headless --set normal=0,1e-15,0").code == 0);
 }

@@ -1,0 +1,60 @@
+#include "all_stages.hpp"
+
+#include <sstream>
+
+#include "01_free_fall/exact.hpp"
+#include "01_free_fall/free_fall.hpp"
+#include "02_spring_floor/exact.hpp"
+#include "02_spring_floor/spring_floor.hpp"
+#include "03_damping/damping.hpp"
+#include "03_damping/exact.hpp"
+#include "04_three_dimensions/exact.hpp"
+#include "04_three_dimensions/three_dimensions.hpp"
+#include "05_ball_collision/balls_simulation.hpp"
+#include "05_ball_collision/options.hpp"
+#include "06_oscillating_floor/exact.hpp"
+#include "06_oscillating_floor/oscillating_floor.hpp"
+#include "07_tilted_plane/exact.hpp"
+#include "07_tilted_plane/tilted_plane.hpp"
+#include "08_racket_game/options.hpp"
+#include "run/scene_simulation.hpp"
+
+namespace bounce::test {
+namespace {
+
+template <class Run>
+std::unique_ptr<Simulation> one() {
+  return std::make_unique<Run>();
+}
+
+}  // namespace
+
+const std::vector<Stage>& all_stages() {
+  static bool is_game = true;
+  static InputRecord record;
+  static const std::vector<Stage> all{
+      {{"01_free_fall", ""}, one<SceneSimulation<FreeFall, FreeFallExact>>},
+      {{"02_spring_floor", ""}, one<SceneSimulation<SpringFloor, SpringFloorExact>>},
+      {{"03_damping", ""}, one<SceneSimulation<Damping, DampingExact>>},
+      {{"04_three_dimensions", ""}, one<SceneSimulation<ThreeDimensions, ThreeDimensionsExact>>},
+      {{"05_ball_collision", ""}, one<BallsSimulation>, ball_collision_options()},
+      {{"06_oscillating_floor", ""}, one<SceneSimulation<OscillatingFloor, OscillatingFloorExact>>},
+      {{"07_tilted_plane", ""}, one<SceneSimulation<TiltedPlane, TiltedPlaneExact>>},
+      {{"08_racket_game", ""}, one<RacketRun>, racket_game_options(is_game, record)}};
+  return all;
+}
+
+std::unique_ptr<Simulation> set_up(const Stage& stage, const std::string& command_line,
+                                   Options& options) {
+  std::vector<std::string> words{stage.name.name};
+  std::istringstream text(command_line);
+  for (std::string word; text >> word;) words.push_back(word);
+  std::vector<const char*> argv;
+  for (const std::string& word : words) argv.push_back(word.c_str());
+  std::unique_ptr<Simulation> simulation = stage.make();
+  parse_command_line(static_cast<int>(argv.size()), argv.data(), stage.name, *simulation, options,
+                     stage.options);
+  return simulation;
+}
+
+}  // namespace bounce::test
