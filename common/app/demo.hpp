@@ -17,6 +17,7 @@ struct View {
   bool trail = true;
   bool ghost = true;
   bool help = false;
+  bool chart = false;               // speed against error
   bool calm = false;                // nothing that flashes
   bool muted = false;               // no sound
   bool from_above = false;          // in space: the camera looks straight down

@@ -7,6 +7,7 @@ namespace bounce::layout {
 inline constexpr int width = 1280;
 inline constexpr int height = 720;
 inline constexpr Rect scene{0, 0, 748, 540};
+inline constexpr Rect chart{64, 16, 340, 452};  // over the scene, left of the ball
 inline constexpr Rect energy{748, 0, 92, 540};
 inline constexpr Rect plots[2]{{0, 540, 420, 180}, {420, 540, 420, 180}};
 inline constexpr Rect panel{848, 8, 424, 704};

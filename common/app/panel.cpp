@@ -178,7 +178,7 @@ void Panel::draw_keys() {
   ImGui::SetCursorPosY(bottom);
   ImGui::TextColored(colour(palette::exact),
                      "P pause   . , step   R restart   O slow   L lens\n"
-                     "%s   F1 all keys   Esc quit   mouse: throw",
+                     "%s   E errors   F1 all keys   Esc quit   mouse: throw",
                      demo_.in_space ? "T from above" : "F12 picture");
 }
 
@@ -248,6 +248,9 @@ void Panel::measure_cost(const Player& player) {
   }
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
   ns_per_step_ = taken.count() / steps * 1e9;
+  counted_per_second_ = static_cast<double>(copy->counted_force_evaluations() -
+                                            player.simulation().counted_force_evaluations()) /
+                        (copy->time() - player.simulation().time());
   cost_is_old_ = false;
 }
 
@@ -257,9 +260,11 @@ void Panel::draw_cost_and_error(Player& player) {
   if (simulation.method() == Method::exact) {
     ImGui::Text("no steps: from event to event by formula");
   } else {
-    const double rate = force_evaluations_per_step(simulation.method()) / simulation.dt();
+    // Where events are located, how many there are depends on the movement: they are counted.
+    const int a_step = force_evaluations_per_step(simulation.method());
+    if (cost_is_old_ && (seen_ || a_step == 0)) measure_cost(player);
+    const double rate = a_step == 0 ? counted_per_second_ : a_step / simulation.dt();
     ImGui::Text("%.4g force evaluations per second", rate);
-    if (cost_is_old_ && seen_) measure_cost(player);
     if (seen_ && !cost_is_old_) {
       ImGui::SameLine();
       ImGui::TextColored(colour(palette::exact), "(%.2g us)",

@@ -35,6 +35,7 @@ class Panel {
   int frames_since_slider_ = 1000;
   bool cost_is_old_ = true;
   double ns_per_step_ = 0;
+  double counted_per_second_ = 0;  // force evaluations where events are located
 };
 
 }  // namespace bounce

@@ -13,6 +13,8 @@
 
 namespace bounce {
 
+constexpr double chart_budget = 0.004;  // s of computing in one frame
+
 Video::Video(bool seen) {
   if (!seen) {
     SDL_setenv("SDL_VIDEODRIVER", "dummy", 1);
@@ -81,13 +83,28 @@ void Window::handle(const SDL_Event& event) {
   if (event.type == SDL_QUIT) closed_ = true;
   if (event.type == SDL_KEYDOWN) key(event.key.keysym.sym);
   if (event.type == SDL_MOUSEMOTION) controls_.mouse_moved = true;
-  if (event.type == SDL_MOUSEBUTTONDOWN && event.button.button == SDL_BUTTON_LEFT &&
-      demo_.is_on_ball) {
+  if (event.type == SDL_MOUSEBUTTONDOWN && event.button.button == SDL_BUTTON_LEFT) {
     const Point at{static_cast<float>(event.button.x), static_cast<float>(event.button.y)};
-    holding_ = demo_.is_on_ball(player_, view_, at);
+    holding_ = !choose_from_chart(at) && demo_.is_on_ball && demo_.is_on_ball(player_, view_, at);
     mouse_.clear();
   }
   if (event.type == SDL_MOUSEBUTTONUP) holding_ = false;
+}
+
+/// A click on a dot of the chart takes its method and its time step. Returns whether the click was
+/// the chart's.
+bool Window::choose_from_chart(Point at) {
+  const Rect area = layout::chart;
+  const bool inside =
+      at.x >= area.x && at.x <= area.right() && at.y >= area.y && at.y <= area.bottom();
+  if (!view_.chart || demo_.bare || !inside) return false;
+  if (const std::optional<ChartChoice> choice = error_chart_choice(area, chart_, at)) {
+    player_.change([&choice](Simulation& simulation) {
+      simulation.use_method(choice->method);
+      if (choice->dt > 0) simulation.use_dt(choice->dt);
+    });
+  }
+  return true;
 }
 
 /// What the keys and the mouse are doing now goes to the game.
@@ -147,6 +164,9 @@ void Window::key(SDL_Keycode key) {
     case SDLK_t:
       view_.from_above = demo_.in_space && !view_.from_above;
       break;
+    case SDLK_e:
+      view_.chart = !view_.chart;
+      break;
     case SDLK_m:
       view_.muted = !view_.muted;
       break;
@@ -196,6 +216,7 @@ void Window::draw() {
     for (std::size_t i = 0; i < demo_.plots.size() && i < 2; ++i) {
       plots_[i].draw(canvas_, layout::plots[i], demo_.plots[i], player_);
     }
+    if (view_.chart) draw_chart();
     if (view_.help) draw_help();
     panel_->draw(player_, view_);
   }
@@ -213,20 +234,29 @@ void Window::draw() {
   SDL_RenderPresent(renderer_);
 }
 
+/// The chart computes a little in every frame. Unseen, all at once: then every picture is whole.
+void Window::draw_chart() {
+  const Simulation& simulation = player_.simulation();
+  chart_.follow(simulation, seen_ ? 15 : 0);
+  chart_.work(seen_ ? chart_budget : 1e9);
+  draw_error_chart(canvas_, layout::chart, chart_, simulation.method(), simulation.dt());
+}
+
 void Window::draw_help() {
-  static constexpr std::array<std::array<const char*, 2>, 11> keys{
+  static constexpr std::array<std::array<const char*, 2>, 12> keys{
       {{"P, Space", "pause, play"},
        {".  or Right", "one step forward"},
        {",  or Left", "one step back"},
        {"R", "restart"},
        {"O", "slow motion (1/10)"},
        {"L", "contact lens: a contact lasts a second"},
+       {"E", "speed against error, now: click a dot to choose it"},
        {"T", "from above, from the side (stages in space)"},
        {"mouse", "drag the ball, and throw it"},
        {"F12", "save a picture"},
        {"F1", "this page"},
        {"Esc", "quit"}}};
-  const Rect area{150, 110, 490, 327};
+  const Rect area{150, 110, 490, 354};
   draw_rect(canvas_, area, palette::paper.faded(0.95));
   draw_frame(canvas_, area, palette::ink, 1);
   float y = area.y + 16;

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/demo.hpp"
+#include "app/error_chart_view.hpp"
 #include "app/imgui_canvas.hpp"
 #include "app/panel.hpp"
 #include "app/picture_files.hpp"
@@ -49,7 +50,9 @@ class Window {
   void play_game(double real_seconds);
   void sound();
   void draw();
+  void draw_chart();
   void draw_help();
+  bool choose_from_chart(Point at);
   void read_pixels();
 
   const Demo& demo_;
@@ -63,6 +66,7 @@ class Window {
   View view_;
   std::unique_ptr<Panel> panel_;
   PlotView plots_[2];
+  ErrorChart chart_;
 
   struct MouseSample {
     double t;

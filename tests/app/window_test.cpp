@@ -128,6 +128,48 @@ TEST_CASE_FIXTURE(Fixture, "the ball can be dragged and thrown") {
   CHECK(window.player().simulation().error()->position < 1e-9);  // the comparison starts here
 }
 
+TEST_CASE_FIXTURE(Fixture, "E shows speed against error, and a click on a dot chooses it") {
+  press(SDLK_e);
+  CHECK(window.view().chart);
+  frames(2);
+  ErrorChart chart;  // the same as the window's, to know where the dots are
+  chart.follow(window.player().simulation(), 0);
+  chart.work(1e9);
+  const Simulation& now = window.player().simulation();
+  int dots = 0;
+  for (const ErrorChart::Dot& wanted : chart.dots()) {
+    if (wanted.method != Method::flight_rk4) continue;  // whose curve lies apart from the others
+    CAPTURE(wanted.dt);
+    const Rect area = layout::chart;
+    bool found = false;
+    for (float y = area.y; y < area.bottom() && !found; y += 3) {
+      for (float x = area.x; x < area.right() && !found; x += 3) {
+        const auto at = error_chart_choice(area, chart, {x, y});
+        if (!at || at->method != wanted.method || at->dt != wanted.dt) continue;
+        found = true;
+        mouse(SDL_MOUSEBUTTONDOWN, x, y);
+        mouse(SDL_MOUSEBUTTONUP, x, y);
+      }
+    }
+    CHECK(found);
+    CHECK(now.method() == wanted.method);
+    CHECK(now.dt() == wanted.dt);
+    ++dots;
+  }
+  CHECK(dots == 6);
+  // The name of the exact solution is the last one, and it has no steps.
+  for (float y = layout::chart.y; y < layout::chart.bottom() && now.method() != Method::exact;
+       y += 5) {
+    const auto at = error_chart_choice(layout::chart, chart, {layout::chart.x + 200, y});
+    if (!at || at->method != Method::exact) continue;
+    mouse(SDL_MOUSEBUTTONDOWN, layout::chart.x + 200, y);
+    mouse(SDL_MOUSEBUTTONUP, layout::chart.x + 200, y);
+  }
+  CHECK(now.method() == Method::exact);
+  press(SDLK_e);
+  CHECK(!window.view().chart);
+}
+
 TEST_CASE_FIXTURE(Fixture,
                   "a frame is cheap enough for 30 frames a second in the software renderer") {
   frames(120);                              // with a trail
