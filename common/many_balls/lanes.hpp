@@ -40,8 +40,8 @@ V from_array(const double* numbers) {
 
 /// Two members side by side in the record (x and y, z and vx, ...) of each of these slots.
 inline void load_pair(const double* member, const Slot* slots, double& first, double& second) {
-  first = member[8 * slots[0]];
-  second = member[8 * slots[0] + 1];
+  first = member[std::size_t{8} * slots[0]];
+  second = member[std::size_t{8} * slots[0] + 1];
 }
 inline void store_pair(double* member, double first, double second) {
   member[0] = first;
@@ -74,7 +74,7 @@ inline Lanes from_array<Lanes>(const double* numbers) {
 // one vector and all y into another.
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 inline void load_pair(const double* member, const Slot* slots, Lanes& first, Lanes& second) {
-  const auto pair = [&](int n) { return _mm_load_pd(member + 8 * slots[n]); };
+  const auto pair = [&](int n) { return _mm_load_pd(member + std::size_t{8} * slots[n]); };
   __m512d even = _mm512_castpd128_pd512(pair(0)), odd = _mm512_castpd128_pd512(pair(1));
   even = _mm512_insertf64x2(even, pair(2), 1), odd = _mm512_insertf64x2(odd, pair(3), 1);
   even = _mm512_insertf64x2(even, pair(4), 2), odd = _mm512_insertf64x2(odd, pair(5), 2);
@@ -96,7 +96,7 @@ inline void store_pair(double* member, const Lanes& first, const Lanes& second) 
 }
 #elif defined(__AVX__)
 inline void load_pair(const double* member, const Slot* slots, Lanes& first, Lanes& second) {
-  const auto pair = [&](int n) { return _mm_load_pd(member + 8 * slots[n]); };
+  const auto pair = [&](int n) { return _mm_load_pd(member + std::size_t{8} * slots[n]); };
   const __m256d even = _mm256_insertf128_pd(_mm256_castpd128_pd256(pair(0)), pair(2), 1);
   const __m256d odd = _mm256_insertf128_pd(_mm256_castpd128_pd256(pair(1)), pair(3), 1);
   first = Lanes(_mm256_unpacklo_pd(even, odd));
@@ -112,8 +112,8 @@ inline void store_pair(double* member, const Lanes& first, const Lanes& second) 
 }
 #else
 inline void load_pair(const double* member, const Slot* slots, Lanes& first, Lanes& second) {
-  first = Lanes([&](auto n) { return member[8 * slots[n]]; });
-  second = Lanes([&](auto n) { return member[8 * slots[n] + 1]; });
+  first = Lanes([&](auto n) { return member[std::size_t{8} * slots[n]]; });
+  second = Lanes([&](auto n) { return member[std::size_t{8} * slots[n] + 1]; });
 }
 inline void store_pair(double* member, const Lanes& first, const Lanes& second) {
   for (Slot n = 0; n < width<Lanes>; ++n) {

@@ -53,7 +53,7 @@ class ManyBalls {
   void pass(const Pass& what, Team& team);
 
   PassFunction pass_ = fastest_pass();
-  double skin_steps_ = 25;
+  double skin_steps_ = 40;
   NeighbourList list_;
   std::vector<BallRecord> now_, next_;  // one for each slot, and nobody at the end
   std::vector<int> number_;             // of each slot

@@ -10,10 +10,8 @@ namespace {
 /// Balls of so many neighbouring slots are put in order by the length of their lists.
 constexpr std::size_t window = 64;
 
-std::int64_t floor_modulo(std::int64_t a, std::int64_t n) {
-  const std::int64_t rest = a % n;
-  return rest < 0 ? rest + n : rest;
-}
+/// A column of three cells rarely holds more.
+constexpr std::size_t padding = 8;
 
 }  // namespace
 
@@ -50,13 +48,15 @@ std::size_t NeighbourList::bytes() const {
   return sum;
 }
 
-/// The number of a cell along one axis. Beyond a thousand million cells all share the last one
+/// The number of a cell along each axis. Beyond a thousand million cells all share the last one
 /// (right, but slow), and a coordinate that is no number goes to the middle.
 NeighbourList::Cell NeighbourList::cell_of(double x, double y, double z) const {
-  const auto number = [this](double distance) {
+  const auto number = [this](double distance) -> std::int64_t {
     constexpr double last = 1e9;
-    const double cell = std::floor(distance / width_);
-    return static_cast<std::int64_t>(std::isnan(cell) ? 0 : std::clamp(cell, -last, last));
+    const double cell = distance * cells_per_metre_;
+    if (!(std::abs(cell) < last)) return cell > 0 ? 1000000000 : cell < 0 ? -1000000000 : 0;
+    const auto towards_zero = static_cast<std::int64_t>(cell);
+    return towards_zero - (cell < static_cast<double>(towards_zero) ? 1 : 0);
   };
   return {number(x), number(y), number(z)};
 }
@@ -64,11 +64,18 @@ NeighbourList::Cell NeighbourList::cell_of(double x, double y, double z) const {
 /// There is no box around the world: cells far apart share a place, as on a torus, and the distance
 /// tells their balls apart. One side has at least three, so that a cell and its two neighbours are
 /// three.
-std::int64_t NeighbourList::torus(const Cell& cell) const {
-  return (floor_modulo(cell[0], dimensions_[0]) * dimensions_[2] +
-          floor_modulo(cell[2], dimensions_[2])) *
-             dimensions_[1] +
-         floor_modulo(cell[1], dimensions_[1]);
+NeighbourList::Cell NeighbourList::on_torus(const Cell& cell) const {
+  Cell wrapped;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    wrapped[axis] = cell[axis] - low_[axis];
+    if (wrapped[axis] >= dimensions_[axis]) wrapped[axis] %= dimensions_[axis];
+  }
+  return wrapped;
+}
+
+std::size_t NeighbourList::index_of(const BallRecord& ball) const {
+  const Cell cell = on_torus(cell_of(ball.x, ball.y, ball.z));
+  return static_cast<std::size_t>((cell[0] * dimensions_[2] + cell[2]) * dimensions_[1] + cell[1]);
 }
 
 void NeighbourList::choose_cells(const std::vector<BallRecord>& records, double skin) {
@@ -80,19 +87,19 @@ void NeighbourList::choose_cells(const std::vector<BallRecord>& records, double 
     equal_radii_ = equal_radii_ && records[i].radius == records[0].radius;
   }
   // A little wider than what may touch soon, so that no rounding separates such a pair.
-  width_ = 1.0005 * (2 * largest_radius_ + skin);
-  Cell low, high;
-  low.fill(std::numeric_limits<std::int64_t>::max());
+  cells_per_metre_ = 1 / (1.0005 * (2 * largest_radius_ + skin));
+  Cell high;
+  low_.fill(std::numeric_limits<std::int64_t>::max());
   high.fill(std::numeric_limits<std::int64_t>::min());
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const Cell cell = cell_of(records[i].x, records[i].y, records[i].z);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], cell[axis]);
+      low_[axis] = std::min(low_[axis], cell[axis]);
       high[axis] = std::max(high[axis], cell[axis]);
     }
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    dimensions_[axis] = std::max<std::int64_t>(3, high[axis] - low[axis] + 1);
+    dimensions_[axis] = std::max<std::int64_t>(3, high[axis] - low_[axis] + 1);
   }
   // Not many more cells than balls, also when a few balls are far away.
   const auto number = [this] {
@@ -110,18 +117,14 @@ void NeighbourList::sort_by_cell(const std::vector<BallRecord>& records,
                                  const std::vector<int>& number) {
   const auto cells = static_cast<std::size_t>(dimensions_[0] * dimensions_[1] * dimensions_[2]);
   begin_.assign(cells + 2, 0);
-  const auto place_of = [&](const BallRecord& ball) -> std::uint32_t& {
-    return begin_[static_cast<std::size_t>(torus(cell_of(ball.x, ball.y, ball.z))) + 2];
-  };
-  for (std::size_t i = 0; i < places_.size(); ++i) ++place_of(records[i]);
+  for (std::size_t i = 0; i < places_.size(); ++i) ++begin_[index_of(records[i]) + 2];
   for (std::size_t cell = 2; cell < begin_.size(); ++cell) begin_[cell] += begin_[cell - 1];
   // Now begin_[cell + 1] is where the balls of `cell` begin; as they are put there, it moves on to
   // where they end, which is where those of the next one begin.
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const BallRecord& ball = records[i];
-    std::uint32_t& place =
-        begin_[static_cast<std::size_t>(torus(cell_of(ball.x, ball.y, ball.z))) + 1];
-    places_[place++] = {ball.x, ball.y, ball.z, static_cast<Slot>(i), number[i]};
+    places_[begin_[index_of(ball) + 1]++] = {ball.x, ball.y, ball.z, static_cast<Slot>(i),
+                                             number[i]};
   }
 }
 
@@ -184,41 +187,83 @@ void NeighbourList::find_neighbours(const std::vector<BallRecord>& records, Shar
       static_cast<Slot>(share.neighbours.size() / group);
 }
 
+/// The slots in the order of the numbers. For so few it is quicker to count for each how many come
+/// before it, without a branch, than to sort.
+void NeighbourList::sort_by_number(Neighbour* near, std::size_t count, Slot* sorted) {
+  constexpr std::size_t few = 64;
+  if (count > few) {
+    std::sort(near, near + count,
+              [](const Neighbour& a, const Neighbour& b) { return a.number < b.number; });
+    for (std::size_t i = 0; i < count; ++i) sorted[i] = near[i].slot;
+    return;
+  }
+  alignas(64) std::array<int, few> number;
+  const std::size_t rounded_up = (count + 7) / 8 * 8;
+  for (std::size_t i = 0; i < rounded_up; ++i) {
+    number[i] = i < count ? near[i].number : std::numeric_limits<int>::max();
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    int before = 0;
+    for (std::size_t eight = 0; eight < rounded_up; eight += 8) {
+      for (std::size_t j = 0; j < 8; ++j) before += number[eight + j] < number[i] ? 1 : 0;
+    }
+    sorted[before] = near[i].slot;
+  }
+}
+
 /// Appends to share.found from `found` on; returns where the list ends.
 std::size_t NeighbourList::find_neighbours_of(const std::vector<BallRecord>& records, Slot slot,
                                               Share& share, std::size_t found) {
+  const std::size_t candidates = find_candidates(records[slot], share);
+  if (share.found.size() < found + candidates) share.found.resize(2 * (found + candidates));
+  if (share.near.size() < candidates + padding) share.near.resize(2 * candidates + padding);
+
   const BallRecord& ball = records[slot];
-  const Cell cell = cell_of(ball.x, ball.y, ball.z);
-  const double reach = 2 * largest_radius_ + skin_, reach_squared = reach * reach;
-  const std::size_t begin = found;
-  const auto look_at = [&](std::size_t from, std::size_t to) {
-    if (share.found.size() < found + (to - from))
-      share.found.resize(2 * (found + (to - from)) + 64);
-    for (std::size_t i = from; i < to; ++i) {
-      const Place& other = places_[i];
-      const double x = other.x - ball.x, y = other.y - ball.y, z = other.z - ball.z;
-      double limit = reach_squared;
-      if (!equal_radii_) {
-        const double touch = ball.radius + records[other.slot].radius + skin_;
-        limit = touch * touch;
-      }
-      // Written down in any case, and kept if it is near: quicker than a branch that nobody can
-      // predict.
-      share.found[found] = static_cast<std::uint64_t>(other.number) << 32 | other.slot;
-      const bool is_near = x * x + y * y + z * z <= limit && other.slot != slot;
-      found += is_near ? 1 : 0;
-    }
+  const double reach = 2 * largest_radius_ + skin_;
+  std::size_t near = 0;
+  for (std::size_t i = 0; i < candidates; ++i) {
+    const Place& other = places_[share.candidates[i]];
+    const double x = other.x - ball.x, y = other.y - ball.y, z = other.z - ball.z;
+    const double limit = equal_radii_ ? reach : ball.radius + records[other.slot].radius + skin_;
+    // Written down in any case, and kept if it is near: quicker than a branch that nobody can
+    // predict.
+    share.near[near] = {other.number, other.slot};
+    const bool is_near = x * x + y * y + z * z <= limit * limit && other.slot != slot;
+    near += is_near ? 1 : 0;
+  }
+  sort_by_number(share.near.data(), near, &share.found[found]);
+  return found + near;
+}
+
+/// All balls in the cell of this one and in the 26 around it, as numbers of places. Returns how
+/// many.
+std::size_t NeighbourList::find_candidates(const BallRecord& ball, Share& share) const {
+  const Cell cell = on_torus(cell_of(ball.x, ball.y, ball.z));
+  const auto wrapped = [&](std::int64_t at, std::size_t axis) {
+    return at < 0 ? at + dimensions_[axis] : at < dimensions_[axis] ? at : at - dimensions_[axis];
   };
+  std::size_t found = 0;
+  const auto add = [&](std::uint32_t from, std::uint32_t to) {
+    if (share.candidates.size() < found + (to - from) + padding) {
+      share.candidates.resize(2 * (found + (to - from)) + padding);
+    }
+    std::uint32_t* out = share.candidates.data() + found;
+    for (std::uint32_t i = 0; i < padding; ++i) out[i] = from + i;
+    for (std::uint32_t i = padding; i < to - from; ++i) out[i] = from + i;
+    found += to - from;
+  };
+  const std::int64_t y = cell[1], ny = dimensions_[1];
   for (std::int64_t dx = -1; dx <= 1; ++dx) {
     for (std::int64_t dz = -1; dz <= 1; ++dz) {
-      for (std::int64_t dy = -1; dy <= 1; ++dy) {
-        const auto at = static_cast<std::size_t>(torus({cell[0] + dx, cell[1] + dy, cell[2] + dz}));
-        look_at(begin_[at], begin_[at + 1]);
-      }
+      const std::int64_t x = wrapped(cell[0] + dx, 0), z = wrapped(cell[2] + dz, 2);
+      // Three cells one above the other lie one after the other, except at the torus's seam.
+      const std::uint32_t* column =
+          &begin_[static_cast<std::size_t>((x * dimensions_[2] + z) * ny)];
+      add(column[std::max<std::int64_t>(0, y - 1)], column[std::min(y + 1, ny - 1) + 1]);
+      if (y == 0) add(column[ny - 1], column[ny]);
+      if (y == ny - 1) add(column[0], column[1]);
     }
   }
-  std::sort(share.found.begin() + static_cast<std::ptrdiff_t>(begin),
-            share.found.begin() + static_cast<std::ptrdiff_t>(found));
   return found;
 }
 

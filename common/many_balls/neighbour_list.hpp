@@ -43,26 +43,36 @@ class NeighbourList {
     Slot slot;
     int number;
   };
+  struct Neighbour {
+    int number;
+    Slot slot;
+  };
   /// What one member of the team does.
   struct Share {
     Slot first = 0, last = 0;
-    std::vector<Slot> neighbours;      // rows of eight
-    std::vector<std::uint64_t> found;  // of the eight balls in work: number, then slot
+    std::vector<Slot> neighbours;           // rows of eight
+    std::vector<std::uint32_t> candidates;  // places
+    std::vector<Neighbour> near;
+    std::vector<Slot> found;  // the lists of the eight balls in work
   };
   using Cell = std::array<std::int64_t, 3>;
 
   Cell cell_of(double x, double y, double z) const;
-  std::int64_t torus(const Cell& cell) const;
+  Cell on_torus(const Cell& cell) const;
+  std::size_t index_of(const BallRecord& ball) const;
   void choose_cells(const std::vector<BallRecord>& records, double skin);
   void sort_by_cell(const std::vector<BallRecord>& records, const std::vector<int>& number);
   void order_alike(std::vector<BallRecord>& records, std::vector<BallRecord>& scratch,
                    std::vector<int>& number);
   void find_neighbours(const std::vector<BallRecord>& records, Share& share);
+  static void sort_by_number(Neighbour* near, std::size_t count, Slot* sorted);
+  std::size_t find_candidates(const BallRecord& ball, Share& share) const;
   std::size_t find_neighbours_of(const std::vector<BallRecord>& records, Slot slot, Share& share,
                                  std::size_t found);
 
-  double skin_ = 0, width_ = 1, largest_radius_ = 0;
+  double skin_ = 0, cells_per_metre_ = 1, largest_radius_ = 0;
   bool equal_radii_ = true;
+  Cell low_{};                        // the first of the cells that are in use
   Cell dimensions_{};                 // of the torus of cells
   std::vector<std::uint32_t> begin_;  // of each cell, in places_
   std::vector<Place> places_;

@@ -16,7 +16,7 @@ struct Triple {
 /// The force of spring and damper that pushes the two apart, as SpringDamper::force.
 // [push]
 template <class V>
-V push(const SpringDamper& law, const V& overlap, const V& separation_speed) {
+inline V push(const SpringDamper& law, const V& overlap, const V& separation_speed) {
   V force = law.stiffness * overlap - law.damping * separation_speed;
   if (law.law == ContactLaw::push_only) force = select(force > 0, force, V(0));
   return select(overlap > 0, force, V(0));
@@ -25,8 +25,8 @@ V push(const SpringDamper& law, const V& overlap, const V& separation_speed) {
 
 /// Gravity, floor and walls.
 template <class V>
-Triple<V> outer_force(const Laws& laws, const Triple<V>& p, const Triple<V>& v, const V& mass,
-                      const V& r) {
+inline Triple<V> outer_force(const Laws& laws, const Triple<V>& p, const Triple<V>& v,
+                             const V& mass, const V& r) {
   Triple<V> force{V(0), V(0) - mass * laws.gravity, V(0)};
   if (laws.floor) force.y += push<V>(laws.surfaces, r - p.y, v.y);
   if (laws.tray[0] > 0) {
@@ -40,60 +40,121 @@ Triple<V> outer_force(const Laws& laws, const Triple<V>& p, const Triple<V>& v, 
   return force;
 }
 
+/// How two balls lie to each other.
+template <class V>
+struct Distance {
+  Triple<V> between;  // from the centre of the second to that of the first
+  V d;
+};
+
 /// Centres that coincide have no direction between them: the ball with the lower number goes up.
 template <class V>
-void separate(const Pass& pass, Slot first, const Slot* neighbours, Triple<V>& between, V& d) {
-  alignas(64) double x[group], y[group], z[group], distance[group];
+Distance<V> separated(const Pass& pass, Slot first, const Slot* neighbours, Distance<V> of) {
+  alignas(64) double x[group], y[group], z[group], d[group];
   for (Slot n = 0; n < width<V>; ++n) {
-    const bool apart = lane(d, n) > 1e-100;
+    const bool is_apart = lane(of.d, n) > 1e-100;
     const bool is_lower = pass.number[first + n] < pass.number[neighbours[n]];
-    x[n] = apart ? lane(between.x, n) : 0;
-    y[n] = apart ? lane(between.y, n) : (is_lower ? 1 : -1);
-    z[n] = apart ? lane(between.z, n) : 0;
-    distance[n] = apart ? lane(d, n) : 1;
+    x[n] = is_apart ? lane(of.between.x, n) : 0;
+    y[n] = is_apart ? lane(of.between.y, n) : (is_lower ? 1 : -1);
+    z[n] = is_apart ? lane(of.between.z, n) : 0;
+    d[n] = is_apart ? lane(of.d, n) : 1;
   }
-  between = {from_array<V>(x), from_array<V>(y), from_array<V>(z)};
-  d = from_array<V>(distance);
+  return {{from_array<V>(x), from_array<V>(y), from_array<V>(z)}, from_array<V>(d)};
 }
 
-/// All forces on the balls in the slots from `first` on, as many as V is wide. Equal radii (their
-/// sum is `pass.touch`) save the loading of the neighbours' own.
-// [forces]
+/// The balls from one slot on, as many as V is wide, and all forces on them.
 template <class V, bool equal_radii>
-Triple<V> forces(const Pass& pass, Slot first, const Triple<V>& p, const Triple<V>& v,
-                 const V& mass, const V& r) {
-  Triple<V> force = outer_force<V>(pass.laws, p, v, mass, r);
-  const double* records = &pass.from->x;
-  for (Slot row = pass.row[first / group]; row < pass.row[first / group + 1]; ++row) {
-    const Slot* neighbours = pass.neighbours + std::size_t{row} * group + first % group;
-    Triple<V> p2, v2;
-    load_pair(records, neighbours, p2.x, p2.y);
-    load_pair(records + 2, neighbours, p2.z, v2.x);
-    Triple<V> between{p.x - p2.x, p.y - p2.y, p.z - p2.z};
-    V d = square_root(between.x * between.x + (between.y * between.y + between.z * between.z));
-    V touch(pass.touch), mass2;
-    if (!equal_radii) {
-      load_pair(records + 6, neighbours, mass2, touch);
-      touch += r;
+class Forces {
+ public:
+  Forces(const Pass& pass, Slot first, const Triple<V>& p, const Triple<V>& v, const V& mass,
+         const V& r)
+      : pass_(pass),
+        records_(&pass.from->x),
+        first_(first),
+        p_(p),
+        v_(v),
+        r_(r),
+        sum_(outer_force<V>(pass.laws, p, v, mass, r)) {}
+
+  // The square roots of one row are begun before the divisions of the row before it: otherwise the
+  // processor would wait for each in turn.
+  // [forces]
+  Triple<V> all() {
+    const Slot* row = begin_of(first_ / group);
+    const Slot* end = begin_of(first_ / group + 1);
+    if (row == end) return sum_;
+    Seen now = look(row);
+    for (row += group; row != end; row += group) {
+      const Seen next = look(row);
+      add(now);
+      now = next;
     }
-    const V overlap = touch - d;
-    if (!any(overlap > 0)) continue;  // none of these pairs touches
-    if (any(d <= 1e-100)) separate(pass, first, neighbours, between, d);
-    const Triple<V> e12{between.x / d, between.y / d, between.z / d};
-    load_pair(records + 4, neighbours, v2.y, v2.z);
-    const V separation_speed = (v.x - v2.x) * e12.x + ((v.y - v2.y) * e12.y + (v.z - v2.z) * e12.z);
-    const V pushes = push(pass.laws.between_balls, overlap, separation_speed);
-    force.x += pushes * e12.x;
-    force.y += pushes * e12.y;
-    force.z += pushes * e12.z;
+    add(now);
+    return sum_;
   }
-  return force;
-}
-// [forces]
+  // [forces]
+
+ private:
+  /// A row of neighbours, one for each of our balls.
+  struct Seen {
+    const Slot* slots;
+    Distance<V> distance;
+    V vx;
+  };
+
+  const Slot* begin_of(Slot a_group) const {
+    return pass_.neighbours + std::size_t{pass_.row[a_group]} * group + first_ % group;
+  }
+
+  // [look]
+  Seen look(const Slot* slots) const {
+    Triple<V> p2;
+    V vx;
+    load_pair(records_, slots, p2.x, p2.y);
+    load_pair(records_ + 2, slots, p2.z, vx);
+    const Triple<V> between{p_.x - p2.x, p_.y - p2.y, p_.z - p2.z};
+    const V square = between.x * between.x + (between.y * between.y + between.z * between.z);
+    return {slots, {between, square_root(square)}, vx};
+  }
+  // [look]
+
+  // [add]
+  void add(const Seen& seen) {
+    const V overlap = touch(seen.slots) - seen.distance.d;
+    Distance<V> to = seen.distance;
+    if (any(to.d <= 1e-100)) [[unlikely]]
+      to = separated<V>(pass_, first_, seen.slots, to);
+    const Triple<V> e12{to.between.x / to.d, to.between.y / to.d, to.between.z / to.d};
+    V vy, vz;
+    load_pair(records_ + 4, seen.slots, vy, vz);
+    const V separation_speed =
+        (v_.x - seen.vx) * e12.x + ((v_.y - vy) * e12.y + (v_.z - vz) * e12.z);
+    const V force = push<V>(pass_.laws.between_balls, overlap, separation_speed);
+    sum_.x += force * e12.x;
+    sum_.y += force * e12.y;
+    sum_.z += force * e12.z;
+  }
+  // [add]
+
+  /// At which distance they touch. Equal radii save the loading of the neighbours' own.
+  V touch(const Slot* slots) const {
+    if (equal_radii) return V(pass_.touch);
+    V mass2, r2;
+    load_pair(records_ + 6, slots, mass2, r2);
+    return r2 + r_;
+  }
+
+  const Pass& pass_;
+  const double* records_;
+  Slot first_;
+  Triple<V> p_, v_;
+  V r_;
+  Triple<V> sum_;
+};
 
 /// One pass for as many balls as V is wide. Returns the squares of their speeds.
 template <class V, bool equal_radii>
-V move(const Pass& pass, Slot first) {
+inline V move(const Pass& pass, Slot first) {
   constexpr Slot in_a_row[] = {0, 1, 2, 3, 4, 5, 6, 7};
   const double* own = &pass.from[first].x;
   Triple<V> p, v;
@@ -103,7 +164,7 @@ V move(const Pass& pass, Slot first) {
   load_pair(own + 4, in_a_row, v.y, v.z);
   load_pair(own + 6, in_a_row, mass, r);
 
-  Triple<V> a = forces<V, equal_radii>(pass, first, p, v, mass, r);
+  Triple<V> a = Forces<V, equal_radii>(pass, first, p, v, mass, r).all();
   a = {a.x / mass, a.y / mass, a.z / mass};
   if (pass.acceleration != nullptr) {
     for (Slot n = 0; n < width<V>; ++n) {
