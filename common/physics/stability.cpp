@@ -1,7 +1,9 @@
 #include "physics/stability.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numbers>
 
 namespace bounce {
 
@@ -45,8 +47,17 @@ double rk4_limit(double zeta) {
   return stable;
 }
 
+double restitution_step(double omega0, double zeta, double accuracy) {
+  // The root of w^2/8 + slope w = accuracy, without cancellation; never beyond the stable limit.
+  const double e = zeta < 1 ? std::exp(-std::numbers::pi * zeta / std::sqrt(1 - zeta * zeta)) : 0;
+  const double slope = 4 * zeta * e;
+  const double w = 2 * accuracy / (slope + std::sqrt(slope * slope + accuracy / 2));
+  return std::min(w, semi_implicit_euler_limit(zeta)) / omega0;
+}
+
 double comfortable_step(double omega0, double zeta) {
-  return semi_implicit_euler_limit(zeta) / 20 / omega0;
+  return std::min(semi_implicit_euler_limit(zeta) / 20 / omega0,
+                  restitution_step(omega0, zeta, 0.01));
 }
 
 }  // namespace bounce

@@ -23,9 +23,17 @@ double semi_implicit_euler_limit(double zeta);
 /// bisection; 2 sqrt(2) at zeta = 0.
 double rk4_limit(double zeta);
 
+/// The largest step [s] with which a bounce's restitution is right to within `accuracy` (absolute,
+/// from 0 to 1), whatever the moment at which the ball touches, with the slides' loop. With
+/// w = omega0 dt an undamped bounce is bounded by sqrt(1 - w^2/4) and its inverse, because the loop
+/// keeps v^2 + x^2 - w x v (omega0 = 1): about w^2 / 8 to each side. With a damper, a contact that
+/// is seen up to a step too long loses besides up to 4 zeta w of the restitution (measured: 3.4
+/// at most, up to zeta = 0.6; tests/hard_cases/stability_map_test.cpp).
+double restitution_step(double omega0, double zeta, double accuracy);
+
 /// A step that is good enough to look at [s]: a twentieth of the largest stable step of the slides'
-/// loop, so omega0 dt = 0.1 without damping. The restitution of an undamped bounce is then
-/// 1 +- 0.0012, whatever the moment at which the ball touches. This is what `--dt auto` uses.
+/// loop, so omega0 dt = 0.1 without damping, or less where the restitution would not be right to
+/// 0.01. Undamped it is then 1 +- 0.0012. This is what `--dt auto` uses.
 double comfortable_step(double omega0, double zeta);
 
 }  // namespace bounce

@@ -174,7 +174,9 @@ std::string step_warning(const Simulation& simulation) {
   const std::optional<ContactNumbers> contact = simulation.contact();
   if (!contact || simulation.method() == Method::exact || simulation.cuts_steps()) return "";
   const double limit = largest_stable_step(simulation.method(), contact->omega0, contact->zeta);
-  if (simulation.dt() <= limit) return "";
+  constexpr double wrong = 0.1;  // of the restitution: from here on it can be seen
+  const double right_step = restitution_step(contact->omega0, contact->zeta, wrong);
+  if (simulation.dt() <= std::min(limit, right_step)) return "";
   double comfortable = comfortable_step(contact->omega0, contact->zeta);
   if (limit > 0) comfortable = std::min(comfortable, limit / 2);
   const std::string good = to_rounded_text(comfortable, 2);
@@ -183,6 +185,11 @@ std::string step_warning(const Simulation& simulation) {
            " gains energy on an undamped spring at every time step: take semi-implicit-euler with "
            "dt = " +
            good + " s";
+  }
+  if (simulation.dt() <= limit) {
+    return "dt = " + to_rounded_text(simulation.dt()) +
+           " s is stable on this contact, but a bounce's restitution can be wrong by more than " +
+           to_rounded_text(wrong) + ": take dt = " + good + " s (--dt auto)";
   }
   return "dt = " + to_rounded_text(simulation.dt()) +
          " s is too large: " + name_of(simulation.method()) + " is stable up to " +

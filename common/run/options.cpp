@@ -35,7 +35,7 @@ void declare(CLI::App& app, Words& words, Options& options, bool& list) {
       ->type_name("NAME");
   app.add_option("--dt", words.dt,
                  "time step (default 0.001); auto: a twentieth of the largest stable step of the "
-                 "slides' loop")
+                 "slides' loop, or less for a restitution right to 0.01")
       ->type_name("S|auto");
   app.add_option("--tolerance", words.tolerance, "error control of the method 'reference'")
       ->type_name("T");
