@@ -4,7 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <vector>
+
+#include "physics/text.hpp"
 
 namespace bounce {
 
@@ -35,7 +38,9 @@ class NeighbourGrid {
   NeighbourGrid& operator=(const NeighbourGrid& /*other*/) { return *this; }
 
   /// All pairs whose distance is at most the sum of their radii (and, for rounding, pairs that are
-  /// a hair further apart). The list holds until the next call.
+  /// a hair further apart). The list holds until the next call. Throws BadInput when there are more
+  /// than `most_pairs`: 1e5 balls in one place would be 5e9, and 40 GB.
+  static constexpr std::size_t most_pairs = 20000000;
   const std::vector<BallPair>& pairs(const Eigen::Matrix3Xd& position,
                                      const Eigen::VectorXd& radius) {
     sort_by_cube(position, radius);
@@ -92,6 +97,10 @@ class NeighbourGrid {
       const double touch = radius[i] + radius[j];
       const double distance_squared = (position.col(i) - position.col(j)).squaredNorm();
       if (distance_squared > touch * touch * (1 + 1e-12)) return;
+      if (found_.size() == most_pairs) {
+        throw BadInput("the balls overlap in more than " + std::to_string(most_pairs) +
+                       " pairs, which is not allowed: spread them out, or take fewer");
+      }
       found_.push_back({std::min(i, j), std::max(i, j)});
     };
     // Where the three cubes of each later row begin in the list: as we go on, so do they.

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <cmath>
 #include <iostream>
+#include <limits>
+#include <numbers>
 #include <optional>
 
 #include "physics/event_driven.hpp"
@@ -170,7 +172,18 @@ int run_headless(const StageName& stage, Simulation& simulation, const Options& 
   return exit_interrupted;
 }
 
+double longest_seeing_step(const Simulation& simulation) {
+  const double rate = simulation.swing_rate();
+  return rate > 0 && simulation.method() != Method::exact ? std::numbers::pi / 2 / rate
+                                                          : std::numeric_limits<double>::infinity();
+}
+
 std::string step_warning(const Simulation& simulation) {
+  if (const double seeing = longest_seeing_step(simulation); simulation.dt() > seeing) {
+    return "dt = " + to_rounded_text(simulation.dt()) +
+           " s is too large to see the floor swing: take dt = " + to_rounded_text(seeing / 5, 2) +
+           " s";
+  }
   const std::optional<ContactNumbers> contact = simulation.contact();
   if (!contact || simulation.method() == Method::exact || simulation.cuts_steps()) return "";
   const double limit = largest_stable_step(simulation.method(), contact->omega0, contact->zeta);

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "physics/stability.hpp"
+#include "run/headless.hpp"
 #include "run/save_load.hpp"
 
 namespace bounce {
@@ -157,6 +158,12 @@ void check_size(const Options& options, const Simulation& simulation) {
     throw BadInput("--dt " + to_text(simulation.dt()) + " with --duration " +
                    to_text(options.duration) + " is not allowed: that is " +
                    to_rounded_text(steps) + " steps, and a run may have at most 1e11");
+  }
+  if (const double seeing = longest_seeing_step(simulation); simulation.dt() > seeing) {
+    throw BadInput("--dt " + to_text(simulation.dt()) +
+                   " with angular_frequency = " + to_text(simulation.swing_rate()) +
+                   " is not allowed: a step would not see the floor swing, it must be at most " +
+                   to_rounded_text(seeing) + " s (a quarter of a swing)");
   }
   if (options.csv.empty()) return;
   const double rows = !options.at.empty()  ? static_cast<double>(options.at.size())

@@ -84,6 +84,10 @@ class SceneSimulation final : public Simulation {
       return std::nullopt;
     }
   }
+  double swing_rate() const override {
+    if constexpr (floor_moves) return scene_.amplitude > 0 ? scene_.angular_frequency : 0;
+    return 0;
+  }
   std::optional<StateError> error() const override {
     const std::optional<State<Vector>> exact = exact_state(time());
     if (!exact) return std::nullopt;

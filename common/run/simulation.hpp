@@ -49,6 +49,8 @@ class Simulation {
   virtual std::vector<Method> methods() const = 0;
   virtual std::vector<std::string> columns() const = 0;  // of the trace, after `t`
   virtual std::optional<ContactNumbers> contact() const = 0;
+  /// How fast something swings by itself [rad/s], whatever the contact: a floor. 0: nothing does.
+  virtual double swing_rate() const { return 0; }
 
   // ---- Where it stands
   double time() const { return time_; }  // [s]
