@@ -40,6 +40,13 @@ double number_of(const std::string& path, const Lines& lines, const std::string&
   return *value;
 }
 
+/// The same for what is counted.
+long long count_of(const std::string& path, const Lines& lines, const std::string& name) {
+  const double value = number_of(path, lines, name);
+  if (value >= 0 && value <= 1e18) return static_cast<long long>(value);
+  refuse(path, "its '" + name + "' is " + to_text(value));
+}
+
 Lines read_lines(const std::string& path) {
   if (!std::filesystem::is_regular_file(path)) refuse(path, "it is no file that can be read");
   std::ifstream file(path, std::ios::binary);
@@ -93,7 +100,11 @@ void load_state(const std::string& path, const StageName& stage, Simulation& sim
   for (const Parameter& parameter : simulation.parameters()) {
     const auto found = lines.find("set." + parameter.name);
     if (found == lines.end()) refuse(path, "it does not say '" + parameter.name + "'");
-    parameter.set(found->second);
+    try {
+      parameter.set(found->second);
+    } catch (const BadInput& error) {
+      refuse(path, error.what());
+    }
   }
   if (!lines.count("method") || !lines.count("numbers")) refuse(path, "it is not complete");
 
@@ -101,8 +112,8 @@ void load_state(const std::string& path, const StageName& stage, Simulation& sim
                             number_of(path, lines, "dt"),
                             number_of(path, lines, "grid_start"),
                             number_of(path, lines, "into_step"),
-                            static_cast<long long>(number_of(path, lines, "grid_steps")),
-                            static_cast<long long>(number_of(path, lines, "steps")),
+                            count_of(path, lines, "grid_steps"),
+                            count_of(path, lines, "steps"),
                             {}};
   for (const std::string& word : split(lines.at("numbers"))) {
     const std::optional<double> value = parse_number(word);
