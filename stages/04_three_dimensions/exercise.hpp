@@ -1,7 +1,6 @@
-// Your turn, stage 4: the ball flies in space. Edit mine.hpp (./course check 4 makes it from
-// exercise.hpp): fill the gaps marked YOUR TURN, and nothing else. Then run ./course check 4, or
-// ./course check 4 --watch once: it looks at every save. Lesson: docs/04_three_dimensions.md.
-// Stuck? ./course check 4 --hint
+// Your turn, stage 4: the ball flies in space. Edit mine.hpp (./course check 4 makes it):
+// fill the gaps marked YOUR TURN. Then run ./course check 4, or once ./course check 4 --watch.
+// The lesson: docs/04_three_dimensions.md. Stuck? ./course check 4 --hint
 #pragma once
 #include <Eigen/Core>
 #include <algorithm>

@@ -1,7 +1,6 @@
-// Your turn, stage 5: balls meet balls. Edit mine.hpp (./course check 5 makes it from
-// exercise.hpp): fill the gaps marked YOUR TURN, and nothing else. Then run ./course check 5, or
-// ./course check 5 --watch once: it looks at every save. Lesson: docs/05_ball_collision.md. Stuck?
-// ./course check 5 --hint
+// Your turn, stage 5: balls meet balls. Edit mine.hpp (./course check 5 makes it):
+// fill the gaps marked YOUR TURN. Then run ./course check 5, or once ./course check 5 --watch.
+// The lesson: docs/05_ball_collision.md. Stuck? ./course check 5 --hint
 #pragma once
 #include <Eigen/Core>
 #include <array>

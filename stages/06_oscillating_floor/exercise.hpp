@@ -1,7 +1,6 @@
-// Your turn, stage 6: the floor moves. Edit mine.hpp (./course check 6 makes it from exercise.hpp):
-// fill the gaps marked YOUR TURN, and nothing else. Then run ./course check 6, or ./course check 6
-// --watch once: it looks at every save. Lesson: docs/06_oscillating_floor.md. Stuck? ./course check
-// 6 --hint
+// Your turn, stage 6: the floor moves. Edit mine.hpp (./course check 6 makes it):
+// fill the gaps marked YOUR TURN. Then run ./course check 6, or once ./course check 6 --watch.
+// The lesson: docs/06_oscillating_floor.md. Stuck? ./course check 6 --hint
 #pragma once
 #include <algorithm>
 #include <cmath>

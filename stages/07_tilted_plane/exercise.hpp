@@ -1,7 +1,6 @@
-// Your turn, stage 7: the floor leans. Edit mine.hpp (./course check 7 makes it from exercise.hpp):
-// fill the gaps marked YOUR TURN, and nothing else. Then run ./course check 7, or ./course check 7
-// --watch once: it looks at every save. Lesson: docs/07_tilted_plane.md. Stuck? ./course check 7
-// --hint
+// Your turn, stage 7: the floor leans. Edit mine.hpp (./course check 7 makes it):
+// fill the gaps marked YOUR TURN. Then run ./course check 7, or once ./course check 7 --watch.
+// The lesson: docs/07_tilted_plane.md. Stuck? ./course check 7 --hint
 #pragma once
 #include <Eigen/Core>
 #include <algorithm>

@@ -1,7 +1,6 @@
-// Your turn, stage 8: a disc in your hand. Edit mine.hpp (./course check 8 makes it from
-// exercise.hpp): fill the gaps marked YOUR TURN, and nothing else. Then run ./course check 8, or
-// ./course check 8 --watch once: it looks at every save. Lesson: docs/08_racket_game.md. Stuck?
-// ./course check 8 --hint
+// Your turn, stage 8: a disc in your hand. Edit mine.hpp (./course check 8 makes it):
+// fill the gaps marked YOUR TURN. Then run ./course check 8, or once ./course check 8 --watch.
+// The lesson: docs/08_racket_game.md. Stuck? ./course check 8 --hint
 #pragma once
 #include <Eigen/Core>
 #include <algorithm>

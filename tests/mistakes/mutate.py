@@ -41,6 +41,8 @@ EXPLAINED = [
      "loop and grid find the same pairs: it decides which is used for exactly 48 balls"),
     ("05_ball_collision", "if (mass.size() < grid_from) {",
      "loop and grid find the same pairs: the fast one is used for few balls, the slow one for many"),
+    ("05_ball_collision", "for (Eigen::Index i = 0; i <= mass.size(); ++i) {",
+     "there is no second ball above the last one, so the inner loop has nothing to do: the same program"),
 ]
 
 
