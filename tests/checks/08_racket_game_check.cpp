@@ -291,8 +291,9 @@ TEST_SUITE("08_racket_game") {
       m.setting.disc_normal = {0, 1, 0};
       m.setting.disc_radius = 0.5;
       m.setting.radius = 0.25;
-      static const Triple places[] = {{0.5, 0.125, 0}, {0.5, 0, 0}, {0, 0.25, 0}, {0, -0.25, 0}};
-      m.motion.position = places[i % 4];
+      static const Triple places[] = {
+          {0.5, 0.125, 0}, {0.5, 0, 0}, {0, 0.25, 0}, {0, -0.25, 0}, {0, 0, 0}};
+      m.motion.position = places[i % 5];
     }
     judge(q, edge);
   }

@@ -43,6 +43,11 @@ EXPLAINED = [
      "loop and grid find the same pairs: the fast one is used for few balls, the slow one for many"),
     ("05_ball_collision", "for (Eigen::Index i = 0; i <= mass.size(); ++i) {",
      "there is no second ball above the last one, so the inner loop has nothing to do: the same program"),
+    ("08_racket_game", "if (over_disc && side * height <= radius) return;",
+     "at side * height = radius the height has the sign of `side` already: the same program"),
+    ("08_racket_game", "if (over_disc && side / height < radius) return;",
+     "`side` is 1 or -1: below 0 both return, and above 0 the height has the sign of `side` already: the same "
+     "program"),
 ]
 
 
