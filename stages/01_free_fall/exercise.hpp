@@ -1,7 +1,6 @@
-// Your turn, stage 1: a ball falls. Edit mine.hpp (./course check 1 makes it from exercise.hpp):
-// fill the gaps marked YOUR TURN, and nothing else. Then run ./course check 1, or ./course check 1
-// --watch once: it looks at every save. Lesson: docs/01_free_fall.md. Stuck? ./course check 1
-// --hint
+// Your turn, stage 1: a ball falls. Edit mine.hpp (./course check 1 makes it):
+// fill the gaps marked YOUR TURN. Then run ./course check 1, or once ./course check 1 --watch.
+// The lesson: docs/01_free_fall.md. Stuck? ./course check 1 --hint
 #pragma once
 #include <vector>
 

@@ -1,7 +1,6 @@
-// Your turn, stage 2: the ball bounces. Edit mine.hpp (./course check 2 makes it from
-// exercise.hpp): fill the gaps marked YOUR TURN, and nothing else. Then run ./course check 2, or
-// ./course check 2 --watch once: it looks at every save. Lesson: docs/02_spring_floor.md. Stuck?
-// ./course check 2 --hint
+// Your turn, stage 2: the ball bounces. Edit mine.hpp (./course check 2 makes it):
+// fill the gaps marked YOUR TURN. Then run ./course check 2, or once ./course check 2 --watch.
+// The lesson: docs/02_spring_floor.md. Stuck? ./course check 2 --hint
 #pragma once
 #include <vector>
 

@@ -1,7 +1,6 @@
-// Your turn, stage 3: the bounces die out. Edit mine.hpp (./course check 3 makes it from
-// exercise.hpp): fill the gaps marked YOUR TURN, and nothing else. Then run ./course check 3, or
-// ./course check 3 --watch once: it looks at every save. Lesson: docs/03_damping.md. Stuck?
-// ./course check 3 --hint
+// Your turn, stage 3: the bounces die out. Edit mine.hpp (./course check 3 makes it):
+// fill the gaps marked YOUR TURN. Then run ./course check 3, or once ./course check 3 --watch.
+// The lesson: docs/03_damping.md. Stuck? ./course check 3 --hint
 #pragma once
 #include <algorithm>
 #include <vector>

@@ -25,8 +25,10 @@ struct TiltedPlane {
   double offset = 0;                      // d, in the unit that makes the equation true
   State<Eigen::Vector3d> start{{0, 0.6015, 0}, {0, 0, 0}};  // m, m/s: falls by 0.5 m to the touch
 
+  // [plane]
   /// The plane with a normal of unit length: only that makes d(p) below a distance in metres.
   Plane plane() const { return Plane::from_equation(normal, offset); }
+  // [plane]
 
   // [force]
   Eigen::Vector3d force(double /*t*/, const State<Eigen::Vector3d>& state) const {

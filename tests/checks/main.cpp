@@ -196,7 +196,7 @@ int main(int argc, char** argv) {
   for (const int signal : {SIGALRM, SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL}) {
     std::signal(signal, give_up);
   }
-  alarm(60);
+  alarm(20);
   under_check = load(words[1]);
   quiet = !mistake.empty();
   const bool passed = run_checks(words[0]);

@@ -1,0 +1,99 @@
+// Your turn, stage 8: a disc in your hand. Edit mine.hpp (./course check 8 makes it):
+// fill the gaps marked YOUR TURN. Then run ./course check 8, or once ./course check 8 --watch.
+// The lesson: docs/08_racket_game.md. Stuck? ./course check 8 --hint
+#pragma once
+#include <Eigen/Core>
+#include <algorithm>
+
+#include "physics/contact.hpp"
+#include "physics/energy.hpp"
+#include "physics/shapes.hpp"
+#include "physics/state.hpp"
+
+namespace bounce {
+
+/// Where a ball is nearest to the racket.
+struct NearestPoint {
+  Eigen::Vector3d point;      // on the racket
+  Eigen::Vector3d direction;  // from there to the ball, unit length
+  double distance;            // m; negative when the ball's centre is through the disc
+};
+
+/// Stage 8. The plane of stage 7 ends at a rim, has two sides, and moves. Like every floor before
+/// it is frictionless: it pushes along the line from its nearest point to the ball, and nowhere
+/// else.
+struct Racket {
+  double mass = 1.0;       // kg
+  double gravity = 9.81;   // m/s^2
+  double radius = 0.1;     // m, of the ball
+  double stiffness = 1e4;  // N/m
+  double damping = 14.17;  // N s/m: restitution 0.8
+  ContactLaw contact = ContactLaw::slides;
+  Disc disc;         // where the racket is at `since`, and how it moves from there
+  double since = 0;  // s
+  int side = 1;      // where the ball comes from: 1 is the side of the normal, -1 the other
+
+  /// The racket at time `t`.
+  Disc disc_at(double t) const { return disc.after(t - since); }
+
+  // [nearest]
+  // YOUR TURN 1 of 2: is the ball on the disc, and where is it nearest? (Lesson: "The idea")
+  // You have: racket.centre [m], racket.normal, racket.radius [m]; racket.height(ball) [m], the way
+  // from the disc's plane to the ball along the normal; racket.outwards(ball) [m], the way from the
+  // centre along the disc to the point below the ball; `side`, 1 or -1: where the ball comes from.
+  // Must hold: return {point, direction, distance}.
+  //   over the disc (shorter out than its radius): the point below the ball; the normal times side;
+  //     the height times side, which is negative when the centre is through the disc.
+  //   beside it: the point of the rim that is nearest; from there to the ball, with length 1; and
+  //     how far that is. For a ball exactly on the rim: the normal times side, and 0.
+  NearestPoint nearest([[maybe_unused]] const Disc& racket,
+                       [[maybe_unused]] const Eigen::Vector3d& ball) const {
+    return {{0, 0, 0}, {0, 0, 0}, 0};  // <- here
+  }
+  // [nearest]
+
+  // [force]
+  // YOUR TURN 2 of 2: the force on the ball [N]. (Lesson: "The program")
+  // You have: what stage 7 had, disc_at(t), nearest(...) from above, and
+  // racket.velocity_of(point) [m/s], how fast that point of the racket moves.
+  // Must hold: the law of stage 7 along the direction of nearest(), with the distance from there.
+  // The damper brakes the ball's velocity relative to the point of the racket that it touches.
+  Eigen::Vector3d force([[maybe_unused]] double t,
+                        [[maybe_unused]] const State<Eigen::Vector3d>& state) const {
+    return {0, 0, 0};  // <- here
+  }
+  // [force]
+
+  Eigen::Vector3d acceleration(double t, const State<Eigen::Vector3d>& state) const {
+    return force(t, state) / mass;
+  }
+
+  // [side]
+  /// Which side the ball is on. While the two touch this does not change, however deep a fast ball
+  /// gets in: a ball from below is pushed down, even with its centre above the disc already.
+  void choose_side(double t, const Eigen::Vector3d& ball) {
+    const Disc racket = disc_at(t);
+    const bool over_disc = racket.outwards(ball).norm() < racket.radius;
+    const double height = racket.height(ball);
+    if (over_disc && side * height < radius) return;
+    side = height < 0 ? -1 : 1;
+  }
+  // [side]
+
+  /// For a ball that was put where it is.
+  void start_side(double t, const Eigen::Vector3d& ball) {
+    side = disc_at(t).height(ball) < 0 ? -1 : 1;
+  }
+
+  double overlap(double t, const State<Eigen::Vector3d>& state) const {
+    return std::max(0.0, radius - nearest(disc_at(t), state.position).distance);
+  }
+
+  Energy energy(double t, const State<Eigen::Vector3d>& state) const {
+    return {kinetic_energy(mass, state.velocity),
+            gravitational_energy(mass, gravity, state.position.y()),
+            spring_energy(stiffness, overlap(t, state))};
+  }
+};
+
+}  // namespace bounce

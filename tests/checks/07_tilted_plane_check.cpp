@@ -1,0 +1,229 @@
+#include <doctest/doctest.h>
+
+#include "checks/run_check.hpp"
+
+using namespace bounce::check;
+
+namespace {
+
+struct Equation {  // n . p + d = 0, with whatever length n has
+  Triple n;
+  double d;
+  double distance(const Triple& p) const { return dot(n, p) + d; }
+};
+
+Equation as_given(const Moment& m) { return {m.setting.normal, m.setting.offset}; }
+Equation unit(const Moment& m) {
+  const double size = length(m.setting.normal);
+  return {times(1 / size, m.setting.normal), m.setting.offset / size};
+}
+
+Triple force_on(const Moment& m, double y, double v, const Triple& along) {
+  const double p = y < m.setting.radius ? push(m.setting, m.setting.radius - y, v) : 0;
+  return plus(up(-m.weight()), along, p);
+}
+Triple force_of(const Moment& m, const Equation& plane) {
+  return force_on(m, plane.distance(m.motion.position), dot(plane.n, m.motion.velocity), plane.n);
+}
+Triple right(const Moment& m) { return force_of(m, unit(m)); }
+
+std::string plane_text(const Moment& m) {
+  return "normal " + numbers(m.setting.normal) + ", offset " + number(m.setting.offset);
+}
+
+Question<Moment> plane_question() {
+  Question<Moment> q;
+  q.lesson = "docs/07_tilted_plane.md, \"A normal must have length 1\"";
+  q.rounding = [](const Moment& m) { return 1e-14 * (1 + std::abs(m.setting.offset)); };
+  q.where = plane_text;
+  q.when = one_moment;
+  return q;
+}
+
+Question<Moment> force_question(const std::string& tested) {
+  Question<Moment> q = plane_question();
+  q.tested = tested;
+  q.unit = "N";
+  q.names = {"Fx", "Fy", "Fz"};
+  q.lesson = "docs/07_tilted_plane.md, \"The idea\"";
+  q.answer = [](const Moment& m) { return subject().force(m.setting, m.t, m.motion); };
+  q.truth = right;
+  q.rounding = [](const Moment& m) { return 4 * force_rounding(m); };
+  q.where = [](const Moment& m) { return in_space(m) + "; " + plane_text(m); };
+  q.look_at = "distance n . p + d, velocity away n . v, and a push along n.";
+  q.suspects = {
+      {"gravity points up", "y is up and gravity pulls downwards.",
+       [](const Moment& m) { return plus(right(m), up(2 * m.weight())); }},
+      {"mass forgotten", "a force is wanted, and gravity alone is an acceleration.",
+       [](const Moment& m) { return plus(right(m), up(m.weight() - m.setting.gravity)); }},
+      {"gravity along the normal", "gravity pulls straight down, whatever the plane does.",
+       [](const Moment& m) {
+         return plus(plus(right(m), up(m.weight())), unit(m).n, -m.weight());
+       }},
+      {"normal not normalised",
+       "the equation's normal has any length. Divide normal and offset by it first: use plane().",
+       [](const Moment& m) { return force_of(m, as_given(m)); }},
+      {"the offset's sign", "the distance is n . p + d: plus.",
+       [](const Moment& m) {
+         Equation plane = unit(m);
+         plane.d = -plane.d;
+         return force_of(m, plane);
+       }},
+      {"the offset forgotten", "the distance is n . p + d. Without d every plane goes through 0.",
+       [](const Moment& m) {
+         Equation plane = unit(m);
+         plane.d = 0;
+         return force_of(m, plane);
+       }},
+      {"distance without sign",
+       "behind the plane the distance is negative, and so the overlap is more than the radius. "
+       "With "
+       "|n . p + d| a ball that got too deep is let through, or pulled in.",
+       [](const Moment& m) {
+         const Equation plane = unit(m);
+         return force_on(m, std::abs(plane.distance(m.motion.position)),
+                         dot(plane.n, m.motion.velocity), plane.n);
+       }},
+      {"the push along y", "a tilted floor pushes along its normal, not straight up.",
+       [](const Moment& m) {
+         const Equation plane = unit(m);
+         return force_on(m, plane.distance(m.motion.position), dot(plane.n, m.motion.velocity),
+                         up(1));
+       }},
+      {"the damper sees the velocity along y", "the velocity away from the plane is n . v.",
+       [](const Moment& m) {
+         const Equation plane = unit(m);
+         return force_on(m, plane.distance(m.motion.position), m.motion.velocity[1], plane.n);
+       }},
+      {"the damper has the wrong sign", "a brake points against the velocity: - c n . v.",
+       [](const Moment& m) {
+         const Equation plane = unit(m);
+         return force_on(m, plane.distance(m.motion.position), -dot(plane.n, m.motion.velocity),
+                         plane.n);
+       }},
+      {"damper on all three components",
+       "the plane is frictionless: only the part of the velocity along the normal is braked.",
+       [](const Moment& m) {
+         const Equation plane = unit(m);
+         const double overlap = m.setting.radius - plane.distance(m.motion.position);
+         if (!(overlap > 0)) return up(-m.weight());
+         return plus(plus(up(-m.weight()), plane.n, m.setting.stiffness * overlap),
+                     m.motion.velocity, -m.setting.damping);
+       }},
+      {"the normal points the other way", "the ball is pushed to the side where the normal points.",
+       [](const Moment& m) {
+         const Equation plane = unit(m);
+         return force_on(m, plane.distance(m.motion.position), dot(plane.n, m.motion.velocity),
+                         times(-1, plane.n));
+       }},
+      {"push_only forgotten", "with contact push_only the push is max(0, spring + damper).",
+       [](const Moment& m) {
+         Moment other = m;
+         other.setting.push_only = false;
+         return right(other);
+       }}};
+  return q;
+}
+
+/// `least` and `most`: the distance from the plane, in radii.
+std::vector<Moment> moments(unsigned seed, double least, double most, bool push_only_too) {
+  Dice dice(seed);
+  std::vector<Moment> all;
+  for (int i = 0; i < 30; ++i) {
+    Setting s = any_setting(dice);
+    s.damping = dice.between(1, 300);
+    s.push_only = push_only_too && i % 2 == 1;
+    s.normal = times(dice.between(0.3, 4), dice.direction());
+    s.offset = dice.sign() * dice.between(0.2, 3);
+    Moment m{s, dice.between(0, 3), {dice.triple(2), dice.triple(9)}};
+    const Equation plane = unit(m);
+    const double wanted = s.radius * dice.between(least, most);
+    m.motion.position =
+        plus(m.motion.position, plane.n, wanted - plane.distance(m.motion.position));
+    all.push_back(m);
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_SUITE("07_tilted_plane") {
+  TEST_CASE("the normal gets length 1") {
+    Question<Moment> q = plane_question();
+    q.tested = "the normal of plane()";
+    q.names = {"a", "b", "c"};
+    q.answer = [](const Moment& m) {
+      const auto plane = subject().plane(m.setting);
+      return Triple{plane[0], plane[1], plane[2]};
+    };
+    q.truth = [](const Moment& m) { return unit(m).n; };
+    q.look_at = "divide the normal by its length.";
+    q.suspects = {{"normal not normalised", "its length is not 1. Divide it by normal.norm().",
+                   [](const Moment& m) { return m.setting.normal; }},
+                  {"divided by the length twice", "divide by the length, not by its square.",
+                   [](const Moment& m) {
+                     const Triple& n = m.setting.normal;
+                     return times(1 / dot(n, n), n);
+                   }}};
+    judge(q, moments(71, 0, 1, false));
+  }
+  TEST_CASE("the offset is divided by the same length") {
+    Question<Moment> q = plane_question();
+    q.tested = "the offset of plane()";
+    q.unit = "m";
+    q.names = {"", "d", ""};
+    q.answer = [](const Moment& m) { return up(subject().plane(m.setting)[3]); };
+    q.truth = [](const Moment& m) { return up(unit(m).d); };
+    q.look_at = "both sides of the equation are divided by the length of the normal.";
+    q.suspects = {
+        {"offset not normalised",
+         "the normal is divided by its length and the offset is not, so it is another plane.",
+         [](const Moment& m) { return up(m.setting.offset); }},
+        {"the offset's sign", "the equation is n . p + d = 0: d keeps its sign.",
+         [](const Moment& m) { return up(-unit(m).d); }}};
+    judge(q, moments(72, 0, 1, false));
+  }
+  TEST_CASE("away from the plane only gravity acts") {
+    judge(force_question("the force on a ball that does not touch"), moments(73, 1.01, 9, false));
+  }
+  TEST_CASE("in contact the push is along the normal, and the damper brakes n . v only") {
+    judge(force_question("the force on a ball that overlaps the plane"),
+          moments(74, 0.1, 0.99, false));
+  }
+  TEST_CASE("a ball whose centre is behind the plane is pushed back") {
+    judge(force_question("the force on a ball that is deep in the plane"),
+          moments(75, -2, -0.1, false));
+  }
+  TEST_CASE("both kinds of contact") {
+    judge(force_question("the force on a ball"), moments(76, 0.7, 1.1, true));
+  }
+  TEST_CASE("a ball that just touches has no overlap yet") {
+    std::vector<Moment> edge = moments(77, 0, 0, false);
+    for (Moment& m : edge) {  // a plane whose distances add up without rounding
+      m.setting.normal = {0, 2, 0};
+      m.setting.offset = -0.5;
+      m.setting.radius = 0.5;
+      m.motion.position[1] = 0.75;
+    }
+    Question<Moment> q = force_question("the force on a ball at exactly distance r");
+    q.suspects = {
+        {"<= for <", "a ball that just touches has no overlap: distance < r.", [](const Moment& m) {
+           return up(-m.weight() + push(m.setting, 0, m.motion.velocity[1]));
+         }}};
+    judge(q, edge);
+  }
+  TEST_CASE("the ball bounces once and is as far from the plane as the formula says") {
+    Dice dice(78);
+    std::vector<Run> runs;
+    for (const double dt : {1e-4, 5e-5, 1e-5}) {
+      Setting s = any_setting(dice);
+      s.damping = dice.between(0.02, 0.3) * 2 * std::sqrt(s.stiffness * s.mass);
+      Triple n = dice.direction();
+      n[1] = 1 + std::abs(n[1]);
+      n = times(1 / length(n), n);
+      s.normal = times(dice.between(0.5, 3), n);
+      runs.push_back(bounce_run(s, n, dice.between(0.3, 1.5), dt));
+    }
+    judge_runs("docs/07_tilted_plane.md, \"The program\"", runs);
+  }
+}

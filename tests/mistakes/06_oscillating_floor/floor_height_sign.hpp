@@ -1,0 +1,13 @@
+// The floor starts downwards.
+// check: the floor is at floor_velocity t + A sin(w t + phase)
+// told: the floor's sign
+
+// [floor]
+double floor_height(double t) const {
+  return floor_velocity * t - amplitude * std::sin(angular_frequency * t + phase);
+}
+// Its derivative.
+double floor_speed(double t) const {
+  return floor_velocity + amplitude * angular_frequency * std::cos(angular_frequency * t + phase);
+}
+// [floor]

@@ -1,0 +1,166 @@
+#!/usr/bin/env python3
+"""Changes every operator, comparison, sign and constant in the lines that the stages teach (between the
+`// [name]` marks), one at a time, and asks whether some check catches it.
+
+usage: tests/mistakes/mutate.py [--write] [NN_name...]    after ./course test
+
+--write puts the result into docs/mistakes.md. Exit code 1: a change gets through that is not explained
+below, or less than 95 % are caught. It takes some minutes.
+"""
+import concurrent.futures
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+TOP = pathlib.Path(__file__).resolve().parents[2]
+BUILD = TOP / "build/release"
+
+# What is replaced by what. clang-format puts blanks around binary operators, and none into types.
+OPERATORS = [
+    (r" \+ ", [" - "]), (r" - ", [" + "]), (r" \* ", [" / "]), (r" / ", [" * "]),
+    (r" \+= ", [" -= "]), (r" -= ", [" += "]), (r" /= ", [" *= "]),
+    (r" < ", [" <= ", " > "]), (r" <= ", [" < ", " > "]), (r" > ", [" >= ", " < "]), (r" >= ", [" > ", " < "]),
+    (r" == ", [" != "]), (r" && ", [" || "]),
+    (r"(?<=[ (])-(?=\w)", [""]),  # a sign
+    (r"(?<=[ (])!(?=[\w(])", [""]),
+    (r"std::sin", ["std::cos"]), (r"std::cos", ["std::sin"]),
+]
+NUMBER = re.compile(r"(?<![\w.])\d+(\.\d+)?(e[+-]?\d+)?(?![\w.])")
+
+# Changes that get through, and why nothing is wrong with that: stage, the changed line, the reason.
+EXPLAINED = [
+    ("02_spring_floor", "if (y <= radius) {", "at y = r the spring's force is 0 anyway: the same program"),
+    ("05_ball_collision", "if (!(meeting.overlap >= 0)) return meeting;",
+     "not a change of the force: at overlap 0 it is 0 either way"),
+    ("05_ball_collision", "if (d >= 1e-100) meeting.e12 = between / d;", "at exactly 1e-100 m only"),
+    ("05_ball_collision", "if (d > 2e-100) meeting.e12 = between / d;",
+     "the same for every distance above 2e-100 m, far below the size of an atom"),
+    ("05_ball_collision", "if (mass.size() > grid_from) {",
+     "loop and grid find the same pairs: it decides which is used for exactly 48 balls"),
+    ("05_ball_collision", "if (mass.size() < grid_from) {",
+     "loop and grid find the same pairs: the fast one is used for few balls, the slow one for many"),
+    ("05_ball_collision", "for (Eigen::Index i = 0; i <= mass.size(); ++i) {",
+     "there is no second ball above the last one, so the inner loop has nothing to do: the same program"),
+    ("08_racket_game", "if (over_disc && side * height <= radius) return;",
+     "at side * height = radius the height has the sign of `side` already: the same program"),
+    ("08_racket_game", "if (over_disc && side / height < radius) return;",
+     "`side` is 1 or -1: below 0 both return, and above 0 the height has the sign of `side` already: the same "
+     "program"),
+]
+
+
+def code_only(line):
+    return line.split("//")[0]
+
+
+def changes_of(line):
+    """(column, length, replacement) of each change in one line."""
+    code = code_only(line)
+    for pattern, replacements in OPERATORS:
+        for found in re.finditer(pattern, code):
+            for new in replacements:
+                yield found.start(), found.end() - found.start(), new
+    for found in NUMBER.finditer(code):
+        old = found.group()
+        new = old.replace("1e", "2e") if "e" in old else repr(float(old) + 1) if "." in old else str(int(old) + 1)
+        yield found.start(), len(old), new
+
+
+def mutants_of(text):
+    """(part, line number, text of the changed file, the changed line) for each change."""
+    lines = text.split("\n")
+    part = None
+    for number, line in enumerate(lines):
+        mark = re.fullmatch(r" *// \[(\w+)\]", line)
+        if mark:
+            part = None if part == mark.group(1) else mark.group(1)
+        elif part:
+            for column, length, new in changes_of(line):
+                changed = line[:column] + new + line[column + length:]
+                yield part, number, "\n".join(lines[:number] + [changed] + lines[number + 1:]), changed
+
+
+def verdict(stage, text):
+    """'caught in CHECK', 'does not compile', or 'gets through'."""
+    with tempfile.TemporaryDirectory() as folder:
+        header, module = pathlib.Path(folder, "mutant.hpp"), pathlib.Path(folder, "mutant.so")
+        header.write_text(text)
+        compiled = subprocess.run([BUILD / "checks/compile_stage", stage, header, module, "-w", "-O1", "-UNDEBUG"],
+                                  capture_output=True)
+        if compiled.returncode != 0:
+            return "does not compile"
+        ran = subprocess.run([BUILD / "bin/stage_checks", stage, module], capture_output=True, text=True)
+        return "caught" if ran.returncode != 0 else "gets through"
+
+
+def header_of(stage):
+    subject = (TOP / f"tests/checks/subjects/{stage}.cpp").read_text()
+    return TOP / "stages" / re.search(r'#define BOUNCE_STAGE_HEADER "(.*)"', subject).group(1)
+
+
+def explanation(stage, line):
+    for where, changed, why in EXPLAINED:
+        if where == stage and changed == line.strip():
+            return why
+    return None
+
+
+def main():
+    arguments = [a for a in sys.argv[1:] if a != "--write"]
+    stages = arguments or sorted(p.stem for p in (TOP / "tests/checks/subjects").glob("*.cpp"))
+    rows, survivors, good = [], [], True
+    tried_in_all = caught_in_all = 0
+    for stage in stages:
+        text = header_of(stage).read_text()
+        if verdict(stage, text) != "gets through":
+            sys.exit(f"{stage}: the course's own stage does not pass its checks")
+        mutants = list(mutants_of(text))
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            found = list(pool.map(lambda m: verdict(stage, m[2]), mutants))
+        broken, caught = found.count("does not compile"), found.count("caught")
+        tried = len(mutants) - broken
+        tried_in_all, caught_in_all = tried_in_all + tried, caught_in_all + caught
+        rows.append(f"| {int(stage[:2])} | {tried} | {caught} | {100 * caught / tried:.0f} % |")
+        print(rows[-1], flush=True)
+        for (part, number, _, line), what in zip(mutants, found):
+            if what != "gets through":
+                continue
+            why = explanation(stage, line)
+            survivors.append(f"| {int(stage[:2])} | `{line.strip()}` | {why} |")
+            print(f"  {part}, line {number + 1}: {line.strip()}   ({why})", flush=True)
+            good = good and why is not None
+    share = 100 * caught_in_all / tried_in_all
+    rows.append(f"| all | {tried_in_all} | {caught_in_all} | {share:.1f} % |")
+    print(rows[-1])
+    if "--write" in sys.argv and not arguments:
+        write(rows, survivors)
+    return 0 if good and share >= 95 else 1
+
+
+def write(rows, survivors):
+    page = TOP / "docs/mistakes.md"
+    head = page.read_text().split("\n## Every line, changed")[0].rstrip("\n")
+    page.write_text(head + """
+
+## Every line, changed
+
+The mistakes above were thought of by people. [mutate.py](../tests/mistakes/mutate.py) thinks of others: it
+changes each operator, comparison, sign and constant in the lines that the stages teach, one at a time (`<`
+to `<=` and to `>`, `+` to `-`, `*` to `/`, 0 to 1, `sin` to `cos`), compiles the stage, and runs its checks.
+Changes that do not compile do not count. The result of its last run:
+
+| stage | changes | caught | share |
+|---|---|---|---|
+""" + "\n".join(rows) + """
+
+What got through, and why:
+
+| stage | the changed line | why no check minds |
+|---|---|---|
+""" + "\n".join(survivors) + "\n")
+
+
+if __name__ == "__main__":
+    sys.exit(main())
