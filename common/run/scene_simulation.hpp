@@ -141,11 +141,13 @@ class SceneSimulation final : public Simulation {
 
   void take_steps(long long count, double t, double dt) override {
     const auto loop = [&](auto&& step) {
-      State<Vector> state = state_;  // a local copy can live in registers
+      // Local copies can live in registers, and what follows from the scene alone is computed once.
+      const Scene scene = scene_;
+      State<Vector> state = state_;
       for (long long i = 0; i < count; ++i) {
         const double now = t + static_cast<double>(i) * dt;
         const State<Vector> before = state;
-        step(scene_, now, state, dt);
+        step(scene, now, state, dt);
         if (keep_book_) book(now, before, state, dt);
       }
       state_ = state;
