@@ -231,6 +231,13 @@ bool parse_command_line(int argc, const char* const* argv, const StageName& stag
     }
     load_state(options.load, stage, simulation);
   }
+  for (const StageOption& option : of_stage) {
+    const auto given = options.of_stage.find(option.name);
+    if (given == options.of_stage.end() || !option.go_on) continue;
+    if (!options.load.empty())
+      throw BadInput("--load brings its own state: leave out " + option.name);
+    option.go_on(simulation, given->second);
+  }
   if (words.tolerance) {
     options.tolerance = number("--tolerance", *words.tolerance, {1e-15, 1}, "");
   }

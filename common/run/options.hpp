@@ -23,6 +23,8 @@ struct StageOption {
   /// Called with the text, before the parameters are set; throws BadInput. May be empty.
   std::function<void(Simulation&, const std::string& text)> apply = {};
   std::vector<std::string> replaces = {};  // parameters that cannot be set beside it
+  /// Called when all is set and the run stands at its start, for what goes on from somewhere else.
+  std::function<void(Simulation&, const std::string& text)> go_on = {};
 };
 
 /// What the user asked for on the command line. Parameters, method and time step are not here: they

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ball_collision.hpp"
+#include "many_balls/lammps_import.hpp"
 #include "many_balls/many_balls.hpp"
 #include "physics/event_driven.hpp"
 #include "physics/integrators.hpp"
@@ -33,6 +34,13 @@ class BallsSimulation final : public Simulation {
 
   /// Balls of the user's own, in place of a scene. `origin` is the file they came from.
   void use_balls(Arrangement balls, const std::string& origin);
+  /// Goes on from balls that another program has moved, as if this run had done it. Masses and
+  /// radii stay those of the scene where the frame has none. Throws BadInput when that cannot be.
+  void continue_from(const many::LammpsFrame& frame, const std::string& origin);
+  many::Laws laws() const {
+    return {scene_.gravity, scene_.pair_contact(), scene_.floor_contact(), scene_.floor,
+            scene_.tray};
+  }
   /// The option `--threads`: for many balls (below). The result is the same, to the bit.
   void use_threads(int threads) { threads_ = threads; }
   /// From so many balls on, the steps of semi-implicit Euler and velocity Verlet are taken by
@@ -95,7 +103,7 @@ class BallsSimulation final : public Simulation {
   SceneChoice choice_;
   std::array<double, 2> tray_of_scene_{};  // while `tray` is still this, it follows the count
   std::shared_ptr<const Arrangement> own_balls_;
-  std::string origin_;  // of the own balls
+  std::string origin_;  // of the own balls: the option that brought them
   std::uint64_t seed_ = 1;
   int threads_ = 1;
   Eigen::Index many_from_ = 32;
@@ -145,7 +153,40 @@ inline void BallsSimulation::use_balls(Arrangement balls, const std::string& ori
   choose_scene(BallScene::pair);
   scene_.gravity = BallCollision{}.gravity;
   own_balls_ = std::make_shared<const Arrangement>(std::move(balls));
+  origin_ = "--balls " + origin;
+}
+
+inline void BallsSimulation::continue_from(const many::LammpsFrame& frame,
+                                           const std::string& origin) {
+  const Eigen::Index count = frame.balls.position.cols();
+  const bool complete = frame.mass.size() == count && frame.radius.size() == count;
+  if (!complete && count != scene_.mass.size()) {
+    throw BadInput(origin + " is not allowed: it has " + std::to_string(count) +
+                   " balls without mass and radius, and the scene has " +
+                   std::to_string(scene_.mass.size()) +
+                   ": set count, or dump the columns mass and radius as well");
+  }
+  Arrangement balls(count);
+  balls.mass = frame.mass.size() == count ? frame.mass : scene_.mass;
+  balls.radius = frame.radius.size() == count ? frame.radius : scene_.radius;
+  balls.balls = frame.balls;
+  scene_.mass = balls.mass;
+  scene_.radius = balls.radius;
+  state_ = balls.balls;
+  own_balls_ = std::make_shared<const Arrangement>(std::move(balls));
   origin_ = origin;
+  parameters_changed();
+  // The acceleration at the end of the last step is part of velocity Verlet's state: with damping
+  // it is not what the new velocity would give.
+  if (method() == Method::velocity_verlet && frame.force.cols() == count) {
+    verlet_.acceleration = frame.force;
+    for (Eigen::Index i = 0; i < count; ++i) verlet_.acceleration->col(i) /= scene_.mass[i];
+  }
+  Memory clock = memory();
+  clock.time = static_cast<double>(frame.step) * dt();
+  clock.grid_start = clock.into_step = 0;
+  clock.grid_steps = clock.steps = frame.step;
+  recall(clock);
 }
 
 inline void BallsSimulation::reset_state() {
@@ -200,7 +241,7 @@ inline std::vector<Parameter> BallsSimulation::parameters() {
 
 inline std::string BallsSimulation::stage_options() const {
   std::string words;
-  if (own_balls_) words += " --balls " + origin_;
+  if (own_balls_) words += " " + origin_;
   if (threads_ != 1) words += " --threads " + std::to_string(threads_);
   if (seed_ != 1) words += " --seed " + std::to_string(seed_);
   return words;
@@ -260,11 +301,9 @@ inline void BallsSimulation::place(const std::vector<double>& values) {
 // ---- Moving
 
 inline void BallsSimulation::take_steps_of_many(long long count, double dt) {
-  const many::Laws laws{scene_.gravity, scene_.pair_contact(), scene_.floor_contact(), scene_.floor,
-                        scene_.tray};
   const bool is_verlet = method() == Method::velocity_verlet;
   if (!verlet_.acceleration) verlet_.acceleration.emplace(3, 0);
-  many_.move(laws, scene_.mass, scene_.radius, state_, *verlet_.acceleration,
+  many_.move(laws(), scene_.mass, scene_.radius, state_, *verlet_.acceleration,
              is_verlet ? many::Stepping::velocity_verlet : many::Stepping::semi_implicit_euler,
              count, dt, threads_);
   if (!is_verlet) verlet_.acceleration.reset();

@@ -16,6 +16,9 @@ int main(int argc, char** argv) {
   demo.sliders = {"scene", "gap", "count"};
   demo.make = [] { return std::make_unique<BallsSimulation>(); };
   demo.options = ball_collision_options();
+  demo.other_work = [&demo](Simulation& simulation, const Options& options) {
+    return export_lammps(demo.stage, static_cast<BallsSimulation&>(simulation), options);
+  };
   use_balls_picture(demo);
   demo.plots = {{"energy of motion",
                  "J",

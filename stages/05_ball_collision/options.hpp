@@ -3,6 +3,7 @@
 
 #include "balls_file.hpp"
 #include "balls_simulation.hpp"
+#include "lammps_exchange.hpp"
 #include "run/options.hpp"
 
 namespace bounce {
@@ -29,7 +30,14 @@ inline std::vector<StageOption> ball_collision_options() {
            "N",
            "threads that may be used (default 1); results do not depend on it",
            threads,
-           {}}};
+           {}},
+          {"--import-lammps",
+           "FILE",
+           "go on from the last frame of a LAMMPS dump",
+           {},
+           {},
+           import_lammps},
+          {"--export-lammps", "DIR", "write the run as files for LAMMPS, and end"}};
 }
 
 }  // namespace bounce

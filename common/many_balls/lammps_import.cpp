@@ -1,0 +1,178 @@
+#include "many_balls/lammps_import.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+#include <vector>
+
+#include "physics/text.hpp"
+
+namespace bounce::many {
+namespace {
+
+constexpr std::array<const char*, 12> names{"id", "x",    "y",      "z",  "vx", "vy",
+                                            "vz", "mass", "radius", "fx", "fy", "fz"};
+constexpr std::size_t needed = 7;  // of these
+constexpr std::size_t absent = std::string::npos;
+
+class Dump {
+ public:
+  Dump(std::string option, std::string path)
+      : option_(std::move(option)), path_(std::move(path)), file_(path_) {
+    std::error_code error;
+    if (!file_.is_open() || std::filesystem::is_directory(path_, error)) {
+      throw BadInput(option_ + " '" + path_ + "' is not allowed: it cannot be read");
+    }
+  }
+
+  LammpsFrame last_frame() {
+    if (!next_line()) refuse("there is nothing: it must be a LAMMPS dump, dump custom as text");
+    do {
+      read_frame();
+    } while (next_line());
+    return std::move(frame_);
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& why) const {
+    throw BadInput(option_ + " '" + path_ + "' is not allowed: line " + std::to_string(line_) +
+                   ": " + why);
+  }
+
+  bool next_line() {
+    ++line_;
+    if (!std::getline(file_, text_)) return false;
+    if (!text_.empty() && text_.back() == '\r') text_.pop_back();
+    return true;
+  }
+
+  /// The header up to "ITEM: ATOMS id ...", then the rows. The first line has been read.
+  void read_frame() {
+    long long count = -1;
+    bool has_step = false;
+    while (text_.rfind("ITEM: ATOMS", 0) != 0) {
+      if (text_.rfind("ITEM: ", 0) != 0) refuse("'" + text_.substr(0, 40) + "' should be an ITEM:");
+      if (text_ == "ITEM: TIMESTEP") {
+        frame_.step = read_count(1e15);
+        has_step = true;
+      } else if (text_ == "ITEM: NUMBER OF ATOMS") {
+        count = read_count(1e9);
+        if (count < 1) refuse("there is no ball in it");
+      } else {  // the box, the units, the time: not needed here
+        const int lines = text_.rfind("ITEM: BOX BOUNDS", 0) == 0 ? 3 : 1;
+        for (int i = 0; i < lines; ++i) need_line();
+      }
+      need_line();
+    }
+    if (!has_step || count < 1) refuse("TIMESTEP and NUMBER OF ATOMS must come before ATOMS");
+    find_columns();
+    read_rows(count);
+  }
+
+  void need_line() {
+    if (!next_line()) refuse("the file ends in the middle of a frame");
+  }
+
+  long long read_count(double highest) {
+    need_line();
+    const std::optional<double> number = parse_number(text_);
+    if (!number || *number < 0 || *number > highest) {
+      refuse("'" + text_ + "' should be a whole number from 0 to " + to_text(highest));
+    }
+    return static_cast<long long>(*number);
+  }
+
+  std::size_t split_words() {
+    words_.clear();
+    const std::string_view text = text_;
+    for (std::size_t at = 0; (at = text.find_first_not_of(" \t", at)) != text.npos;) {
+      const std::size_t end = std::min(text.find_first_of(" \t", at), text.size());
+      words_.push_back(text.substr(at, end - at));
+      at = end;
+    }
+    return words_.size();
+  }
+
+  void find_columns() {
+    columns_ = split_words() - 2;  // without "ITEM: ATOMS"
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const auto found = std::find(words_.begin() + 2, words_.end(), names[i]);
+      place_[i] =
+          found == words_.end() ? absent : static_cast<std::size_t>(found - words_.begin() - 2);
+      if (place_[i] == absent && i < needed) {
+        refuse(std::string("column ") + names[i] + " is missing; dump id x y z vx vy vz");
+      }
+    }
+    // A force without all of its components is none.
+    const bool has_force =
+        std::all_of(place_.begin() + 9, place_.end(), [](std::size_t at) { return at != absent; });
+    if (!has_force) std::fill(place_.begin() + 9, place_.end(), absent);
+  }
+
+  void read_rows(long long count) {
+    const auto size = static_cast<Eigen::Index>(count);
+    std::vector<bool> seen(static_cast<std::size_t>(count), false);
+    for (Eigen::Index row = 0; row < size; ++row) {
+      need_line();
+      if (row == 0) make_room(size);  // for a number of balls of which there is at least one
+      if (split_words() != columns_) {
+        refuse("there are " + std::to_string(words_.size()) + " values for " +
+               std::to_string(columns_) + " columns");
+      }
+      const double id = value(0, 1, static_cast<double>(count));
+      const auto ball = static_cast<Eigen::Index>(id) - 1;
+      if (static_cast<double>(ball + 1) != id) refuse("the id must be a whole number");
+      if (seen[static_cast<std::size_t>(ball)]) refuse("ball " + to_text(id) + " comes twice");
+      seen[static_cast<std::size_t>(ball)] = true;
+      read_ball(ball);
+    }
+  }
+
+  void make_room(Eigen::Index size) {
+    frame_.balls.position.resize(3, size);
+    frame_.balls.velocity.resize(3, size);
+    frame_.mass.resize(place_[7] == absent ? 0 : size);
+    frame_.radius.resize(place_[8] == absent ? 0 : size);
+    frame_.force.resize(3, place_[9] == absent ? 0 : size);
+  }
+
+  void read_ball(Eigen::Index ball) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto row = static_cast<Eigen::Index>(axis);
+      frame_.balls.position(row, ball) = value(1 + axis, -1e15, 1e15);
+      frame_.balls.velocity(row, ball) = value(4 + axis, -1e15, 1e15);
+      if (place_[9] != absent) frame_.force(row, ball) = value(9 + axis, -1e300, 1e300);
+    }
+    if (place_[7] != absent) frame_.mass[ball] = value(7, 1e-30, 1e30);
+    if (place_[8] != absent) frame_.radius[ball] = value(8, 1e-30, 1e15);
+  }
+
+  double value(std::size_t column, double lowest, double highest) const {
+    const std::string_view word = words_[place_[column]];
+    const std::optional<double> number = parse_number(word);
+    if (!number || *number < lowest || *number > highest) {
+      refuse(std::string("column ") + names[column] + ": '" + std::string(word) +
+             "' must be a number from " + to_text(lowest) + " to " + to_text(highest));
+    }
+    return *number;
+  }
+
+  std::string option_, path_;
+  std::ifstream file_;
+  long long line_ = 0;
+  std::string text_;                     // of the line
+  std::vector<std::string_view> words_;  // of it
+  std::size_t columns_ = 0;
+  std::array<std::size_t, names.size()> place_{};  // of each column in a row
+  LammpsFrame frame_;
+};
+
+}  // namespace
+
+LammpsFrame read_lammps_dump(const std::string& option, const std::string& path) {
+  return Dump(option, path).last_frame();
+}
+
+}  // namespace bounce::many
