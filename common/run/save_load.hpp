@@ -7,11 +7,12 @@
 namespace bounce {
 
 /// Writes parameters, method, clock and state as readable text, in decimals that read back to the
-/// same bits: a run that goes on from the file gives what it would have given without the stop.
+/// same bits (the numbers of many balls raw): a run that goes on from the file gives what it would
+/// have given without the stop.
 void save_state(const std::string& path, const StageName& stage, Simulation& simulation);
 
 /// Sets the simulation to what the file says. Throws BadInput when the file cannot be read, is
-/// damaged (its checksum fails), or belongs to another stage.
+/// damaged (its checksum fails), belongs to another stage, or was written by a newer program.
 void load_state(const std::string& path, const StageName& stage, Simulation& simulation);
 
 }  // namespace bounce

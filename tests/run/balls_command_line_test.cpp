@@ -119,3 +119,54 @@ TEST_CASE("a saved run of many balls goes on to the bit") {
   }
   std::remove(state.c_str());
 }
+
+TEST_CASE("1000 balls in a heap, saved at any step, go on to the bit on the fast path") {
+  // The neighbour list of the run that goes on is a new one: no result may depend on its age.
+  const std::string state = "/tmp/bounce_heap.state";
+  const std::string heap = "--set scene=drop --set count=1000 --dt 2e-4 --threads ";
+  for (const std::string method : {"semi-implicit-euler", "velocity-verlet"}) {
+    const std::string how = heap + "2 --method " + method;
+    const Outcome through = run_program(program + how + " --csv - --at 0.5 --duration 0.5");
+    for (const std::string stop : {"0.3", "0.3002", "0.4321"}) {
+      const std::string cut = " --headless --duration " + stop + " --save ";
+      REQUIRE(run_program(program + how + cut + state).code == 0);
+      const std::string rest = " --csv - --at 0.5 --duration 0.5";
+      const Outcome on = run_program(program + "--load " + state + rest);
+      INFO(how, " ", stop, on.err);
+      CHECK(on.code == 0);
+      // A stop between two steps cuts one, in the run without a stop as well.
+      const Outcome same =
+          stop == "0.4321" ? run_program(program + how + " --csv - --at 0.4321,0.5 --duration 0.5")
+                           : through;
+      CHECK(on.out.substr(on.out.find("\n0.5,")) == same.out.substr(same.out.find("\n0.5,")));
+    }
+  }
+  std::remove(state.c_str());
+}
+
+TEST_CASE("the saved state of many balls is compact, and damage to it is noticed") {
+  const std::string state = "/tmp/bounce_damaged_heap.state";
+  const Outcome run = run_program(
+      program + "--headless --set scene=drop --set count=1000 --duration 0.01 --save " + state);
+  REQUIRE(run.code == 0);
+  const std::string good = test::read_file(state);
+  CHECK(good.size() < 8 * 8 * 1000 + 1000);  // mass, radius, position, velocity, and the header
+  const auto refused = [&](const std::string& bytes, const std::string& says) {
+    std::ofstream(state, std::ios::binary) << bytes;
+    const Outcome load = run_program(program + "--headless --load " + state);
+    INFO(load.err);
+    CHECK(load.code == 2);
+    CHECK(contains(load.err, says));
+  };
+  for (std::size_t at = 60; at < good.size(); at += good.size() / 20) {
+    std::string flipped = good;
+    flipped[at] = static_cast<char>(flipped[at] ^ 1);  // one bit
+    refused(flipped, "damaged");
+    refused(good.substr(0, at), "damaged");
+  }
+  refused(good + "x", "damaged");
+  std::string newer = good;
+  newer.replace(newer.find("version 2"), 9, "version 9");
+  refused(newer, "a newer program wrote it (version 9");
+  std::remove(state.c_str());
+}

@@ -159,6 +159,12 @@ TEST_CASE("a damaged, foreign or missing saved state is refused") {
   refused("", "03_damping");
   refused("hello\n", "03_damping");
   refused(text, "02_spring_floor");
+  std::string newer = text;
+  newer.replace(newer.find("version 2"), 9, "version 3");
+  refused(newer, "03_damping");
+  std::string no_version = text;
+  no_version.replace(no_version.find("version 2"), 9, "version x");
+  refused(no_version, "03_damping");
   std::filesystem::remove(state);
   CHECK(run_program("03_damping --headless --load /nowhere/at/all").code == 2);
 }
