@@ -271,6 +271,10 @@ void Panel::draw_cost_and_error(Player& player) {
                          ns_per_step_ / simulation.dt() * 1e-3);
     }
   }
+  if (seen_ && simulation.balls() > 1) {
+    ImGui::Text("a frame: physics %.1f ms, drawing %.1f ms", 1e3 * frame_cost.physics,
+                1e3 * frame_cost.drawing);
+  }
   if (const std::optional<StateError> error = simulation.error()) {
     ImGui::Text("position off by %s", with_unit(error->position, "m").c_str());
   }

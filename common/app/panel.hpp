@@ -6,6 +6,15 @@
 
 namespace bounce {
 
+/// What a frame costs on the clock [s], the mean of the last ones.
+struct FrameCost {
+  double physics = 0, drawing = 0;
+  void note(double physics_now, double drawing_now) {
+    physics += (physics_now - physics) / 10;
+    drawing += (drawing_now - drawing) / 10;
+  }
+};
+
 /// The controls on the right: the question, sliders, play row, method and time step, cost and
 /// error, and everything else folded away. Dear ImGui draws them and answers the mouse.
 class Panel {
@@ -14,6 +23,8 @@ class Panel {
 
   /// Draws the panel and applies what the user did to player and view.
   void draw(Player& player, View& view);
+
+  FrameCost frame_cost;  // for the read-out
 
   /// The command line that starts a run like this one.
   std::string command(Player& player);

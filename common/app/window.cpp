@@ -71,10 +71,19 @@ bool Window::tick(double real_seconds) {
   for (SDL_Event event; SDL_PollEvent(&event) != 0;) handle(event);
   drag();
   if (is_game() && seen_) play_game(real_seconds);
+  const Uint64 begin = SDL_GetPerformanceCounter();
   if (!holding_) player_.frame(real_seconds);
+  const Uint64 moved = SDL_GetPerformanceCounter();
   if (sound_) sound();
   if (seen_ && demo_.is_over && demo_.is_over(player_)) player_.restart();
-  if ((SDL_GetWindowFlags(window_) & SDL_WINDOW_MINIMIZED) == 0) draw();
+  if ((SDL_GetWindowFlags(window_) & SDL_WINDOW_MINIMIZED) != 0) return !closed_;
+  const Uint64 drawing = SDL_GetPerformanceCounter();
+  draw();
+  const auto seconds = [](Uint64 count) {
+    return static_cast<double>(count) / static_cast<double>(SDL_GetPerformanceFrequency());
+  };
+  panel_->frame_cost.note(seconds(moved - begin), seconds(SDL_GetPerformanceCounter() - drawing));
+  SDL_RenderPresent(renderer_);  // waits for the screen, which costs nothing
   return !closed_;
 }
 
@@ -231,7 +240,7 @@ void Window::draw() {
     }
     screenshot_.clear();
   }
-  SDL_RenderPresent(renderer_);
+  SDL_RenderFlush(renderer_);  // now, and not when it is presented: so it can be timed
 }
 
 /// The chart computes a little in every frame. Unseen, all at once: then every picture is whole.
