@@ -53,3 +53,11 @@ TEST_CASE("the CSV of the speed report reads back as it was written") {
   const std::string csv = test::read_file(std::string(BOUNCE_SOURCE_DIR) + "/" + report::csv_file);
   CHECK(report::to_csv(report::from_csv(csv)) == csv);
 }
+
+TEST_CASE("the figure of many balls is drawn from the committed CSV") {
+  const std::string root = std::string(BOUNCE_SOURCE_DIR) + "/";
+  const std::string csv = test::read_file(root + "docs/many_balls.csv");
+  INFO("draw it again with build/release/bin/many_balls_speed figure");
+  CHECK(test::read_file(root + "docs/images/many_balls.svg").find(report::fingerprint(csv)) !=
+        std::string::npos);
+}
