@@ -58,17 +58,17 @@ void ManyBalls::pass(const Pass& what, Team& team) {
     moved_ = 0;
     ++lists_built_;
   }
-  speeds_.resize(static_cast<std::size_t>(team.size()));
-  team.run([&](int member) {
-    const auto [first, last] = list_.share(member);
+  speeds_.resize(static_cast<std::size_t>(list_.shares()));
+  team.share_out(list_.shares(), [&](int share) {
+    const auto [first, last] = list_.slots(share);
     Pass mine = what;
     mine.from = now_.data();
     mine.to = next_.data();
-    mine.row = list_.rows(member);
-    mine.neighbours = list_.neighbours(member);
+    mine.row = list_.rows(share);
+    mine.neighbours = list_.neighbours(share);
     mine.number = number_.data();
     mine.touch = touch_;
-    speeds_[static_cast<std::size_t>(member)] = pass_(mine, first, last);
+    speeds_[static_cast<std::size_t>(share)] = pass_(mine, first, last);
   });
   now_.swap(next_);
   fastest_ = std::sqrt(*std::max_element(speeds_.begin(), speeds_.end()));

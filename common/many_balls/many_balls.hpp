@@ -64,7 +64,7 @@ class ManyBalls {
   double moved_ = 0;                    // m: no ball has moved further since then
   double fastest_ = 0;                  // m/s
   double dt_ = 0;                       // s
-  std::vector<double> speeds_;          // of each member's fastest ball, squared
+  std::vector<double> speeds_;          // of each share's fastest ball, squared
   long long lists_built_ = 0;
 };
 

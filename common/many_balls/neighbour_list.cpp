@@ -18,17 +18,17 @@ constexpr std::size_t padding = 8;
 void NeighbourList::build(std::vector<BallRecord>& records, std::vector<BallRecord>& scratch,
                           std::vector<int>& number, double skin, Team& team) {
   const std::size_t count = number.size();
-  const auto members = static_cast<std::size_t>(team.size());
+  const auto pieces = static_cast<std::size_t>(team.size() == 1 ? 1 : 8 * team.size());
   const std::size_t groups = (count + group - 1) / group;
   length_.resize(count);
   new_length_.resize(count);
   new_number_.resize(count);
   places_.resize(count);
-  row_.resize(groups + members);
-  shares_.resize(members);
-  for (std::size_t k = 0; k < members; ++k) {
+  row_.resize(groups + pieces);
+  shares_.resize(pieces);
+  for (std::size_t k = 0; k < pieces; ++k) {
     const auto slot = [&](std::size_t part) {
-      return static_cast<Slot>(std::min(count, groups * part / members * group));
+      return static_cast<Slot>(std::min(count, groups * part / pieces * group));
     };
     shares_[k].first = slot(k);
     shares_[k].last = slot(k + 1);
@@ -36,8 +36,9 @@ void NeighbourList::build(std::vector<BallRecord>& records, std::vector<BallReco
   choose_cells(records, skin);
   sort_by_cell(records, number);
   order_alike(records, scratch, number);
-  team.run(
-      [&](int member) { find_neighbours(records, shares_[static_cast<std::size_t>(member)]); });
+  team.share_out(shares(), [&](int share) {
+    find_neighbours(records, shares_[static_cast<std::size_t>(share)]);
+  });
 }
 
 std::size_t NeighbourList::bytes() const {
@@ -160,11 +161,11 @@ void NeighbourList::order_alike(std::vector<BallRecord>& records, std::vector<Ba
 }
 
 void NeighbourList::find_neighbours(const std::vector<BallRecord>& records, Share& share) {
-  const auto member = static_cast<std::size_t>(&share - shares_.data());
+  const auto number = static_cast<std::size_t>(&share - shares_.data());
   const auto nobody_slot = static_cast<Slot>(places_.size());
   share.neighbours.clear();
   for (Slot first = share.first; first < share.last; first += group) {
-    row_[first / group + member] = static_cast<Slot>(share.neighbours.size() / group);
+    row_[first / group + number] = static_cast<Slot>(share.neighbours.size() / group);
     std::array<std::size_t, group + 1> begin{};  // of each ball's list in share.found
     std::size_t longest = 0;
     for (Slot lane = 0; lane < group; ++lane) {
@@ -183,7 +184,7 @@ void NeighbourList::find_neighbours(const std::vector<BallRecord>& records, Shar
       }
     }
   }
-  row_[(share.last + group - 1) / group + member] =
+  row_[(share.last + group - 1) / group + number] =
       static_cast<Slot>(share.neighbours.size() / group);
 }
 

@@ -25,16 +25,13 @@ class NeighbourList {
 
   std::size_t bytes() const;  // of memory
 
-  /// The slots that one member of the team takes: from the first to before the second.
-  std::array<Slot, 2> share(int member) const {
-    const auto at = static_cast<std::size_t>(member);
-    return {shares_[at].first, shares_[at].last};
-  }
-  /// For Pass::row and Pass::neighbours, in the slots of that member.
-  const Slot* rows(int member) const { return row_.data() + member; }
-  const Slot* neighbours(int member) const {
-    return shares_[static_cast<std::size_t>(member)].neighbours.data();
-  }
+  /// The balls are divided into shares, a few for each member of the team.
+  int shares() const { return static_cast<int>(shares_.size()); }
+  /// The slots of one share: from the first to before the second.
+  std::array<Slot, 2> slots(int share) const { return {of(share).first, of(share).last}; }
+  /// For Pass::row and Pass::neighbours, in the slots of that share.
+  const Slot* rows(int share) const { return row_.data() + share; }
+  const Slot* neighbours(int share) const { return of(share).neighbours.data(); }
 
  private:
   /// A ball as the search needs it, sorted by cell.
@@ -47,7 +44,7 @@ class NeighbourList {
     int number;
     Slot slot;
   };
-  /// What one member of the team does.
+  /// A part of the balls, with the lists of its own.
   struct Share {
     Slot first = 0, last = 0;
     std::vector<Slot> neighbours;           // rows of eight
@@ -56,6 +53,8 @@ class NeighbourList {
     std::vector<Slot> found;  // the lists of the eight balls in work
   };
   using Cell = std::array<std::int64_t, 3>;
+
+  const Share& of(int share) const { return shares_[static_cast<std::size_t>(share)]; }
 
   Cell cell_of(double x, double y, double z) const;
   Cell on_torus(const Cell& cell) const;

@@ -11,7 +11,7 @@ namespace bounce::many {
 /// Threads that do one piece of work together, again and again. The caller is one of them.
 class Team {
  public:
-  explicit Team(int size) {
+  explicit Team(int size) : next_(static_cast<std::size_t>(size)) {
     for (int member = 1; member < size; ++member) {
       threads_.emplace_back([this, member] { serve(member); });
     }
@@ -39,7 +39,28 @@ class Team {
     wait([this] { return running_.load(std::memory_order_acquire) == 0; });
   }
 
+  /// Calls work(piece) for each piece from 0 to `pieces` - 1. Each member begins with the same ones
+  /// every time, which its cache still knows; who is done early helps the others.
+  template <class Work>
+  void share_out(int pieces, const Work& work) {
+    const auto begin_of = [&](int member) { return pieces * member / size(); };
+    for (int member = 0; member < size(); ++member) {
+      next_[static_cast<std::size_t>(member)].piece = begin_of(member);
+    }
+    run([&](int member) {
+      for (int i = 0; i < size(); ++i) {
+        const int owner = (member + i) % size();
+        std::atomic<int>& next = next_[static_cast<std::size_t>(owner)].piece;
+        for (int piece; (piece = next.fetch_add(1)) < begin_of(owner + 1);) work(piece);
+      }
+    });
+  }
+
  private:
+  struct alignas(64) Next {  // a line of the cache for each: they are written all the time
+    std::atomic<int> piece{0};
+  };
+
   void start() {
     round_.fetch_add(1, std::memory_order_release);
     round_.notify_all();
@@ -67,6 +88,7 @@ class Team {
     }
   }
 
+  std::vector<Next> next_;  // of each member's pieces
   std::vector<std::thread> threads_;
   std::function<void(int)> work_;
   std::atomic<unsigned> round_{0};
