@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -27,8 +28,13 @@ std::string setting_of(const Simulation& simulation) {
   return all;
 }
 
-/// Whether it takes no steps of a fixed length, and so has no place on the chart.
-bool goes_by_events(Method method) { return method == Method::exact; }
+/// Whether it takes steps of a length that one chooses: only those have a place on the chart.
+bool takes_steps(Method method) {
+  constexpr Method all[] = {Method::explicit_euler,  Method::semi_implicit_euler,
+                            Method::velocity_verlet, Method::rk4,
+                            Method::rk4_events,      Method::flight_rk4};
+  return std::find(std::begin(all), std::end(all), method) != std::end(all);
+}
 
 /// The largest 1 x 10^n or 3 x 10^n up to `value`.
 double round_step(double value) {
@@ -100,7 +106,7 @@ void ErrorChart::choose_steps() {
   double dt = round_step(contact ? std::numbers::pi / contact->omega0 / 3 : duration_ / 20);
   for (int i = 0; i < steps_per_method && is_affordable(dt); ++i, dt = round_step(dt / 2.5)) {
     for (const Method method : start_->methods()) {
-      if (!goes_by_events(method)) others_.push_back({method, dt});
+      if (takes_steps(method)) others_.push_back({method, dt});
     }
   }
   waiting_.assign(others_.begin(), others_.end());
@@ -134,7 +140,7 @@ void ErrorChart::begin_next() {
 
 /// Whether the simulation's own choice is still to be run: it is none of the others, and it can be.
 bool ErrorChart::wants_own() const {
-  if (!start_ || !trouble_.empty() || !now_ || own_ || goes_by_events(now_->method)) return false;
+  if (!start_ || !trouble_.empty() || !now_ || own_ || !takes_steps(now_->method)) return false;
   const bool is_other = std::find(others_.begin(), others_.end(), *now_) != others_.end();
   return !is_other && is_affordable(now_->dt);
 }
