@@ -106,6 +106,7 @@ class LocatedEvents {
   template <class Step>
   bool touch_until(const Step& step, double& t, State<Vector>& state, double end) {
     double dt = end - t;
+    int tiny_steps = 0;
     while (t < end) {
       const Lasting before = phases_.touch_lasts(state);
       State<Vector> after = state;
@@ -124,6 +125,7 @@ class LocatedEvents {
           dt /= 2;
           continue;
         }
+        if (++tiny_steps > 1000) throw TimeStandsStill(t);  // no number, or far too large ones
       }
       state = after;
       t = dt == end - t ? end : t + dt;

@@ -71,7 +71,7 @@ Method find_method(const std::string& name, const std::vector<Method>& offered) 
   for (const Method method : offered) {
     if (name_of(method) == name) return method;
   }
-  throw BadInput("--method " + name + " is not known here" + did_you_mean(name, words(offered)) +
+  throw BadInput("--method '" + name + "' is not known here" + did_you_mean(name, words(offered)) +
                  ": this stage has " + names_of(offered));
 }
 

@@ -9,6 +9,7 @@
 
 #include "physics/stability.hpp"
 #include "run/headless.hpp"
+#include "run/output_file.hpp"
 #include "run/save_load.hpp"
 
 namespace bounce {
@@ -62,6 +63,35 @@ void declare(CLI::App& app, Words& words, Options& options, bool& list) {
       ->type_name("N");
   app.add_flag("--calm", options.calm, "no trail and nothing that flashes or shakes");
   app.allow_extras();  // to say ourselves what was not understood
+}
+
+/// The words in CLI11's order, from the last to the first. Two things that it does not see as we
+/// do: "--csv=" without a value would take the next word for it, and "--at -inf" has a value,
+/// though it looks like an option.
+std::vector<std::string> tidy_words(int argc, const char* const* argv, const CLI::App& app) {
+  std::vector<std::string> words;
+  for (int i = 1; i < argc; ++i) {
+    std::string word = argv[i];
+    if (word.size() > 3 && word.rfind("--", 0) == 0 && word.find('=') == word.size() - 1) {
+      word.pop_back();
+      throw BadInput(word + " '' is not allowed: after " + word + "= there must be a value");
+    }
+    const CLI::Option* option = word.rfind("--", 0) == 0 ? app.get_option_no_throw(word) : nullptr;
+    const std::string next = i + 1 < argc ? argv[i + 1] : "";
+    if (option != nullptr && option->get_expected_max() > 0 && next.size() > 1 && next[0] == '-' &&
+        next[1] != '-' && next != "-h") {
+      word += "=" + next;
+      ++i;
+    }
+    words.insert(words.begin(), word);
+  }
+  return words;
+}
+
+/// Answers a question on standard output.
+void answer(const std::string& option, const std::string& text) {
+  std::cout << text << std::flush;
+  if (!std::cout) throw MachineFailure(option + " could not be written to standard output");
 }
 
 [[noreturn]] void refuse_extra(const CLI::App& app, const std::string& word) {
@@ -194,9 +224,9 @@ bool parse_command_line(int argc, const char* const* argv, const StageName& stag
         ->type_name(option.value);
   }
   try {
-    app.parse(argc, argv);
+    app.parse(tidy_words(argc, argv, app));
   } catch (const CLI::CallForHelp&) {
-    std::cout << app.help();
+    answer("--help", app.help());
     return false;
   } catch (const CLI::ParseError& error) {
     // "--dt: 1 required S|auto missing" and the like
@@ -211,7 +241,7 @@ bool parse_command_line(int argc, const char* const* argv, const StageName& stag
     }
   }
   if (list) {
-    std::cout << list_text(stage, simulation);
+    answer("--list", list_text(stage, simulation));
     return false;
   }
   if (words.seed) options.seed = seed_from(*words.seed);

@@ -73,6 +73,13 @@ double number_of(const std::string& path, const Lines& lines, const std::string&
   return *value;
 }
 
+/// The same for what is counted.
+long long count_of(const std::string& path, const Lines& lines, const std::string& name) {
+  const double value = number_of(path, lines, name);
+  if (value >= 0 && value <= 1e18) return static_cast<long long>(value);
+  refuse(path, "its '" + name + "' is " + to_text(value));
+}
+
 std::string read_text(const std::string& path) {
   if (!std::filesystem::is_regular_file(path)) refuse(path, "it is no file that can be read");
   std::ifstream file(path, std::ios::binary);
@@ -177,17 +184,19 @@ void load_state(const std::string& path, const StageName& stage, Simulation& sim
   for (const Parameter& parameter : simulation.parameters()) {
     const auto found = lines.find("set." + parameter.name);
     if (found == lines.end()) refuse(path, "it does not say '" + parameter.name + "'");
-    parameter.set(found->second);
+    try {
+      parameter.set(found->second);
+    } catch (const BadInput& error) {
+      refuse(path, error.what());
+    }
   }
   if (!lines.count("method")) refuse(path, "it is not complete");
 
-  Simulation::Memory memory{number_of(path, lines, "time"),
-                            number_of(path, lines, "dt"),
-                            number_of(path, lines, "grid_start"),
-                            number_of(path, lines, "into_step"),
-                            static_cast<long long>(number_of(path, lines, "grid_steps")),
-                            static_cast<long long>(number_of(path, lines, "steps")),
-                            numbers_from(path, lines, body)};
+  Simulation::Memory memory{
+      number_of(path, lines, "time"),       number_of(path, lines, "dt"),
+      number_of(path, lines, "grid_start"), number_of(path, lines, "into_step"),
+      count_of(path, lines, "grid_steps"),  count_of(path, lines, "steps"),
+      numbers_from(path, lines, body)};
   try {
     simulation.use_method(find_method(lines.at("method"), simulation.methods()));
     simulation.recall(memory);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -400,6 +401,23 @@ inline bool RacketRun::recall_numbers(const std::vector<double>& all) {
   each_number(round_, [&](auto&) { ++expected; });
   const bool exact = method() == Method::exact;
   if (all.size() != expected + (exact ? 8 : 0)) return false;
+  // Every count must fit into its type, and the side, the player and the flags be what they are.
+  std::size_t at = 12;
+  bool fits = true;
+  each_number(round_, [&](auto& number) {
+    using Number = std::remove_reference_t<decltype(number)>;
+    const double value = all[at++];
+    if constexpr (std::is_same_v<Number, bool>) {
+      fits = fits && (value == 0 || value == 1);
+    } else if constexpr (std::is_integral_v<Number>) {
+      fits = fits && std::abs(value) <= (sizeof(Number) < 8 ? 2e9 : 1e18);
+    }
+  });
+  const double entry = all[at], player = all[at + 1], seed = all[at + 2];
+  if (!fits || !(entry >= 0 && entry <= 1e18) || !(player >= 0 && player <= 4) ||
+      !(seed >= 0 && seed <= 1e18)) {
+    return false;
+  }
   round_.ball = ball_from(all, 0);
   from_racket_ = ball_from(all, 6);
   std::size_t i = 12;
@@ -407,8 +425,8 @@ inline bool RacketRun::recall_numbers(const std::vector<double>& all) {
     number = static_cast<std::remove_reference_t<decltype(number)>>(all[i++]);
   });
   next_entry_ = static_cast<std::size_t>(all[i++]);
-  settings_.player = static_cast<PlayerKind>(std::clamp(static_cast<int>(all[i++]), 0, 4));
-  settings_.seed = static_cast<std::uint64_t>(std::max(0.0, all[i++]));
+  settings_.player = static_cast<PlayerKind>(static_cast<int>(all[i++]));
+  settings_.seed = static_cast<std::uint64_t>(all[i++]);
   if (!exact) return true;
   const double phase = all.back();
   if (!(phase == 0 || phase == 1 || phase == 2)) return false;

@@ -240,6 +240,9 @@ TEST_CASE(
       {"--csv .", "--csv", ".", "file"},
       {"--save /nowhere/x --headless", "--save", "/nowhere/x", "folder"},
       {"--csv ''", "--csv", "''", "path"},
+      {"--csv= --calm", "--csv", "''", "value"},
+      {"--dt -inf", "--dt", "-inf", "1e-15"},
+      {"--at -inf --csv -", "--at", "-inf", "0 to 10"},
       {"--screenshot ''", "--screenshot", "''", "path"},
       {"--load /nowhere/x --dt 1e-3", "--load", "--dt", "leave out"},
   };
@@ -310,6 +313,15 @@ TEST_CASE("a full disk is the machine's fault: exit code 1") {
   // A device is no file to be replaced: it is written directly, and stays what it is.
   CHECK(run_program("03_damping --headless --csv /dev/null").code == 0);
   CHECK(!std::filesystem::exists("/dev/null.part"));
+}
+
+TEST_CASE("an answer that nobody could read is the machine's fault: exit code 1") {
+  for (const std::string question : {"--list", "--help"}) {
+    const Outcome run =
+        test::run_program_with("sh -c '\"$0\" \"$@\" > /dev/full'", "03_damping " + question);
+    CHECK(run.code == 1);
+    CHECK(contains(run.err, question + " could not be written"));
+  }
 }
 
 TEST_CASE("--dt auto takes a step that suits the contact") {

@@ -1,0 +1,39 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace bounce::test {
+
+/// How a program went.
+struct Child {
+  int code = -1;  // 128 + the signal that ended it
+  bool timed_out = false;
+  std::string out, err;
+  std::string left_behind;  // a file in its folder, if there is one
+};
+
+struct InputFile {
+  std::string name, content;
+};
+
+/// A folder in which programs of the course run, one after the other.
+class ChildFolder {
+ public:
+  ChildFolder();
+  ~ChildFolder();
+  ChildFolder(const ChildFolder&) = delete;
+  ChildFolder& operator=(const ChildFolder&) = delete;
+
+  /// Runs a program in an empty folder, without a shell and without a display, and ends it after so
+  /// many seconds. The files stand in ../in.
+  Child run(const std::string& program, const std::vector<std::string>& words,
+            const std::vector<InputFile>& files, double seconds);
+  /// What the last program wrote into its folder under this name.
+  std::string read(const std::string& name) const;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+}  // namespace bounce::test
