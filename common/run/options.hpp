@@ -29,7 +29,6 @@ struct StageOption {
 /// are already set in the simulation.
 struct Options {
   double duration = 10;      // s
-  double tolerance = 1e-12;  // of the `reference` method
   double sample = 0;         // s between trace rows; 0: a row every step
   std::vector<double> at;    // the times of the trace rows, ascending; empty: see `sample`
   std::string csv, screenshot, record, save, load;  // paths; empty: not wanted

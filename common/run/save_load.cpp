@@ -73,6 +73,7 @@ void save_state(const std::string& path, const StageName& stage, Simulation& sim
   }
   text += "time " + to_text(memory.time) + "\n";
   text += "dt " + to_text(memory.dt) + "\n";
+  text += "tolerance " + to_text(memory.tolerance) + "\n";
   text += "grid_start " + to_text(memory.grid_start) + "\n";
   text += "grid_steps " + std::to_string(memory.grid_steps) + "\n";
   text += "into_step " + to_text(memory.into_step) + "\n";
@@ -99,6 +100,7 @@ void load_state(const std::string& path, const StageName& stage, Simulation& sim
 
   Simulation::Memory memory{number_of(path, lines, "time"),
                             number_of(path, lines, "dt"),
+                            number_of(path, lines, "tolerance"),
                             number_of(path, lines, "grid_start"),
                             number_of(path, lines, "into_step"),
                             static_cast<long long>(number_of(path, lines, "grid_steps")),
