@@ -65,7 +65,7 @@ inline Look look(const Lasting& before, const Lasting& after, double h) {
   if (const std::optional<double> lowest = cubic.minimum()) {
     if (!(cubic.at(*lowest) > cubic.bend() / 64)) return Look::unclear;
   }
-  return after.value > 0 ? Look::lasts : Look::ends;
+  return after.value >= 0 ? Look::lasts : Look::ends;
 }
 
 }  // namespace bounce
