@@ -36,9 +36,7 @@ class Cubic {
   }
 
   /// The largest size of its second derivative in between, times h^2.
-  double bend() const {
-    return std::max(std::abs(2 * square_), std::abs(2 * square_ + 6 * cube_));
-  }
+  double bend() const { return std::max(std::abs(2 * square_), std::abs(2 * square_ + 6 * cube_)); }
 
   /// Where it comes down through zero, for a start above and an end below [s]; roughly.
   double zero() const {
@@ -57,9 +55,9 @@ class Cubic {
 /// Whether a function that is positive at the start of a step stays so.
 enum class Look { lasts, ends, unclear };
 
-/// Judged by values and slopes at both ends of a step that resolves the movement: there the cubic is
-/// off by a small share of what its bend makes of a step. Where it comes closer to zero than that in
-/// between, a shorter step must tell.
+/// Judged by values and slopes at both ends of a step that resolves the movement: there the cubic
+/// is off by a small share of what its bend makes of a step. Where it comes closer to zero than
+/// that in between, a shorter step must tell.
 inline Look look(const Lasting& before, const Lasting& after, double h) {
   const Cubic cubic(before, after, h);
   if (const std::optional<double> lowest = cubic.minimum()) {

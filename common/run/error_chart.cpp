@@ -27,9 +27,6 @@ std::string setting_of(const Simulation& simulation) {
   return all;
 }
 
-/// Whether it takes no steps of a fixed length, and so has no place on the chart.
-bool goes_by_events(Method method) { return method == Method::exact; }
-
 /// The largest 1 x 10^n or 3 x 10^n up to `value`.
 double round_step(double value) {
   const double power = std::pow(10, std::floor(std::log10(value)));

@@ -361,8 +361,8 @@ class SceneSimulation final : public Simulation {
   Scene scene_;
   State<Vector> state_ = scene_.start;
   VelocityVerlet<Vector> verlet_;
-  Walker walker_{Exact(scene_), 0, state_};         // the movement, for `exact`
-  Located located_{Exact(scene_), 0, state_};       // for methods that step but locate events
+  Walker walker_{Exact(scene_), 0, state_};    // the movement, for `exact`
+  Located located_{Exact(scene_), 0, state_};  // for methods that step but locate events
   std::conditional_t<locates_events, std::optional<HighOrder>, NoReference> reference_;
   mutable Walker truth_{Exact(scene_), 0, state_};  // what all others are compared with
   bool keep_book_ = false;

@@ -120,7 +120,7 @@ void Simulation::recall(const Memory& memory) {
                            memory.grid_start >= 0 && memory.grid_steps >= 0 && memory.steps >= 0 &&
                            memory.into_step >= 0 && memory.into_step < memory.dt &&
                            (goes_by_events(method_) || std::abs(grid_time - memory.time) <=
-                                                            1e-6 * memory.dt + 1e-12 * grid_time);
+                                                           1e-6 * memory.dt + 1e-12 * grid_time);
   if (!makes_sense) throw BadInput("its clock makes no sense");
   time_ = memory.time;
   dt_ = memory.dt;

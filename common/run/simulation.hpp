@@ -53,8 +53,8 @@ class Simulation {
   virtual double swing_rate() const { return 0; }
 
   // ---- Where it stands
-  double time() const { return time_; }  // [s]
-  double dt() const { return dt_; }      // [s]
+  double time() const { return time_; }            // [s]
+  double dt() const { return dt_; }                // [s]
   double tolerance() const { return tolerance_; }  // of `reference`
   Method method() const { return method_; }
   long long steps() const { return steps_; }  // since the start, shortened ones too
