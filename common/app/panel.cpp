@@ -228,7 +228,7 @@ void Panel::draw_method(Player& player, View& view) {
     }
     ImGui::EndCombo();
   }
-  if (simulation.method() == Method::exact) return;
+  if (goes_by_events(simulation.method())) return;
   double dt = simulation.dt();
   if (slide("dt", dt, dt_slider) && dt > 0) player.change([dt](Simulation& s) { s.use_dt(dt); });
   note_slider(player, view);
@@ -257,8 +257,11 @@ void Panel::measure_cost(const Player& player) {
 void Panel::draw_cost_and_error(Player& player) {
   heading("cost and error, now");
   const Simulation& simulation = player.simulation();
-  if (simulation.method() == Method::exact) {
-    ImGui::Text("no steps: from event to event by formula");
+  if (goes_by_events(simulation.method())) {
+    const bool formula = simulation.method() == Method::exact;
+    ImGui::Text(formula ? "no steps: from event to event by formula"
+                        : "steps chosen for a tolerance of %.2g",
+                simulation.tolerance());
   } else {
     // Where events are located, how many there are depends on the movement: they are counted.
     const int a_step = force_evaluations_per_step(simulation.method());

@@ -85,7 +85,7 @@ void Player::frame(double real_seconds) {
 
 void Player::move_to(double t) {
   try {
-    if (simulation_->method() == Method::exact) {
+    if (goes_by_events(simulation_->method())) {
       simulation_->advance_to(t);
       remember();
     } else if (simulation_->time() < t) {
@@ -123,7 +123,7 @@ void Player::step_forward() {
   paused = true;
   if (!trouble_.empty()) return;
   past_.push_back(simulation_->clone());
-  const bool exact = simulation_->method() == Method::exact;
+  const bool exact = goes_by_events(simulation_->method());
   move_to(exact ? simulation_->time() + simulation_->dt() : simulation_->time_of_next_step());
 }
 
@@ -193,7 +193,7 @@ std::vector<TracePoint> Player::future(double seconds) const {
   const double end = ahead->time() + seconds;
   std::vector<TracePoint> points;
   try {
-    const bool exact = ahead->method() == Method::exact;
+    const bool exact = goes_by_events(ahead->method());
     const double stride = exact ? trace_interval : std::max(ahead->dt(), trace_interval);
     // About a millisecond for one ball, and with many not much longer.
     const double most_steps = 2e5 / static_cast<double>(ahead->balls());

@@ -124,6 +124,9 @@ class BouncePhases {
     return slides ? Phase::flight : Phase::let_go;
   }
 
+  /// The fastest that happens in a touch takes about this long [s].
+  double time_scale() const { return 1 / (omega0_ + contact_.damping / mass_); }
+
   /// A bound on the second derivative of that function, from a touch's start to its end. Overlap
   /// and force are solutions x of the oscillator, plus a constant; v^2 + omega0^2 x^2 never grows.
   double max_bend(const State<double>& start) const {

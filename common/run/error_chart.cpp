@@ -28,14 +28,6 @@ std::string setting_of(const Simulation& simulation) {
   return all;
 }
 
-/// Whether it takes steps of a length that one chooses: only those have a place on the chart.
-bool takes_steps(Method method) {
-  constexpr Method all[] = {Method::explicit_euler,  Method::semi_implicit_euler,
-                            Method::velocity_verlet, Method::rk4,
-                            Method::rk4_events,      Method::flight_rk4};
-  return std::find(std::begin(all), std::end(all), method) != std::end(all);
-}
-
 /// The largest 1 x 10^n or 3 x 10^n up to `value`.
 double round_step(double value) {
   const double power = std::pow(10, std::floor(std::log10(value)));
@@ -106,7 +98,7 @@ void ErrorChart::choose_steps() {
   double dt = round_step(contact ? std::numbers::pi / contact->omega0 / 3 : duration_ / 20);
   for (int i = 0; i < steps_per_method && is_affordable(dt); ++i, dt = round_step(dt / 2.5)) {
     for (const Method method : start_->methods()) {
-      if (takes_steps(method)) others_.push_back({method, dt});
+      if (!goes_by_events(method)) others_.push_back({method, dt});
     }
   }
   waiting_.assign(others_.begin(), others_.end());
@@ -140,7 +132,7 @@ void ErrorChart::begin_next() {
 
 /// Whether the simulation's own choice is still to be run: it is none of the others, and it can be.
 bool ErrorChart::wants_own() const {
-  if (!start_ || !trouble_.empty() || !now_ || own_ || !takes_steps(now_->method)) return false;
+  if (!start_ || !trouble_.empty() || !now_ || own_ || goes_by_events(now_->method)) return false;
   const bool is_other = std::find(others_.begin(), others_.end(), *now_) != others_.end();
   return !is_other && is_affordable(now_->dt);
 }

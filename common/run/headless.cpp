@@ -26,7 +26,7 @@ class Trace {
   }
   void write(const Simulation& simulation) {
     rows_ += static_cast<double>(simulation.balls());
-    if (rows_ > 1e8) {  // known beforehand for steps, but not for the events of `exact`
+    if (rows_ > 1e8) {  // known beforehand for steps, but not for events
       throw BadInput("--csv has got 1e8 rows, and more are not allowed: give --sample or --at");
     }
     const std::vector<double> values = simulation.values();
@@ -47,8 +47,8 @@ class Trace {
   double rows_ = 0;
 };
 
-/// The times of the trace rows: those of --at, or every --sample, or every step (event for
-/// `exact`).
+/// The times of the trace rows: those of --at, or every --sample, or every step (event, for
+/// methods that go by events).
 class RowTimes {
  public:
   RowTimes(const Options& options, double start) : options_(options) {
@@ -69,7 +69,7 @@ class RowTimes {
     }
     if (n_++ == 0) return simulation.time();
     if (simulation.time() >= end) return std::nullopt;
-    if (simulation.method() == Method::exact) return std::min(simulation.next_event(), end);
+    if (goes_by_events(simulation.method())) return std::min(simulation.next_event(), end);
     const double t = simulation.time_of_next_step();
     return t > end - 1e-6 * simulation.dt() ? end : t;
   }
@@ -93,7 +93,10 @@ std::string summary(const StageName& stage, Simulation& simulation, double start
     line += " " + name + "=" + to_rounded_text(value, 4);
   };
   const long long steps = simulation.steps() - steps_at_start;
-  if (simulation.method() != Method::exact) line += " dt=" + to_text(simulation.dt());
+  if (!goes_by_events(simulation.method())) line += " dt=" + to_text(simulation.dt());
+  if (simulation.method() == Method::reference) {
+    line += " tolerance=" + to_text(simulation.tolerance());
+  }
   say("simulated_s", simulation.time() - start);
   say("wall_s", wall);
   line += " steps=" + std::to_string(steps);
@@ -185,7 +188,7 @@ std::string step_warning(const Simulation& simulation) {
            " s";
   }
   const std::optional<ContactNumbers> contact = simulation.contact();
-  if (!contact || simulation.method() == Method::exact || simulation.cuts_steps()) return "";
+  if (!contact || goes_by_events(simulation.method()) || simulation.cuts_steps()) return "";
   const double limit = largest_stable_step(simulation.method(), contact->omega0, contact->zeta);
   constexpr double wrong = 0.1;  // of the restitution: from here on it can be seen
   const double right_step = restitution_step(contact->omega0, contact->zeta, wrong);

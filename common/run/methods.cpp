@@ -21,6 +21,8 @@ std::string name_of(Method method) {
       return "rk4-events";
     case Method::flight_rk4:
       return "flight-rk4";
+    case Method::reference:
+      return "reference";
     case Method::exact:
       break;
   }
@@ -33,6 +35,7 @@ int force_evaluations_per_step(Method method) {
       return 4;
     case Method::rk4_events:
     case Method::flight_rk4:
+    case Method::reference:
     case Method::exact:
       return 0;
     default:
@@ -51,6 +54,7 @@ double largest_stable_step(Method method, double omega0, double zeta) {
     case Method::rk4_events:
     case Method::flight_rk4:
       return rk4_limit(zeta) / omega0;
+    case Method::reference:
     case Method::exact:
       break;
   }

@@ -182,7 +182,7 @@ void read_times(const Words& words, Options& options, double start) {
 }
 
 void check_size(const Options& options, const Simulation& simulation) {
-  const bool stepping = simulation.method() != Method::exact;
+  const bool stepping = !goes_by_events(simulation.method());
   const double steps = options.duration / simulation.dt();
   if (stepping && steps > most_steps) {
     throw BadInput("--dt " + to_text(simulation.dt()) + " with --duration " +
@@ -252,12 +252,15 @@ bool parse_command_line(int argc, const char* const* argv, const StageName& stag
     simulation.use_method(find_method(*words.method, simulation.methods()));
   }
   if (words.dt) simulation.use_dt(step_from(*words.dt, simulation));
+  if (words.tolerance) {
+    simulation.use_tolerance(number("--tolerance", *words.tolerance, {1e-15, 1}, ""));
+  }
   simulation.restart();
   if (!options.load.empty()) {
-    if (words.method || words.dt || !words.set.empty()) {
+    if (words.method || words.dt || words.tolerance || !words.set.empty()) {
       throw BadInput(
           "--load brings its own method, time step and parameters: leave out --method, "
-          "--dt and --set");
+          "--dt, --tolerance and --set");
     }
     load_state(options.load, stage, simulation);
   }
@@ -267,9 +270,6 @@ bool parse_command_line(int argc, const char* const* argv, const StageName& stag
     if (!options.load.empty())
       throw BadInput("--load brings its own state: leave out " + option.name);
     option.go_on(simulation, given->second);
-  }
-  if (words.tolerance) {
-    options.tolerance = number("--tolerance", *words.tolerance, {1e-15, 1}, "");
   }
   read_times(words, options, simulation.time());
   check_size(options, simulation);
@@ -304,6 +304,9 @@ std::string command_for(const StageName& stage, Simulation& now, Simulation& fre
   std::string command = stage.name;
   if (now.method() != fresh.method()) command += " --method " + name_of(now.method());
   if (now.dt() != fresh.dt()) command += " --dt " + to_text(now.dt());
+  if (now.tolerance() != fresh.tolerance()) {
+    command += " --tolerance " + to_text(now.tolerance());
+  }
   const std::unique_ptr<Simulation> standard = fresh.clone();  // what follows from the choices
   const std::vector<Parameter> values = now.parameters(), defaults = standard->parameters();
   for (std::size_t i = 0; i < values.size(); ++i) {

@@ -30,10 +30,9 @@ struct StageOption {
 /// What the user asked for on the command line. Parameters, method and time step are not here: they
 /// are already set in the simulation.
 struct Options {
-  double duration = 10;      // s
-  double tolerance = 1e-12;  // of the `reference` method
-  double sample = 0;         // s between trace rows; 0: a row every step
-  std::vector<double> at;    // the times of the trace rows, ascending; empty: see `sample`
+  double duration = 10;    // s
+  double sample = 0;       // s between trace rows; 0: a row every step
+  std::vector<double> at;  // the times of the trace rows, ascending; empty: see `sample`
   std::string csv, screenshot, record, save, load;  // paths; empty: not wanted
   std::uint64_t seed = 1;
   bool headless = false;  // also when a file is asked for that needs no window

@@ -156,6 +156,7 @@ void save_state(const std::string& path, const StageName& stage, Simulation& sim
   }
   text += "time " + to_text(memory.time) + "\n";
   text += "dt " + to_text(memory.dt) + "\n";
+  text += "tolerance " + to_text(memory.tolerance) + "\n";
   text += "grid_start " + to_text(memory.grid_start) + "\n";
   text += "grid_steps " + std::to_string(memory.grid_steps) + "\n";
   text += "into_step " + to_text(memory.into_step) + "\n";
@@ -192,11 +193,14 @@ void load_state(const std::string& path, const StageName& stage, Simulation& sim
   }
   if (!lines.count("method")) refuse(path, "it is not complete");
 
-  Simulation::Memory memory{
-      number_of(path, lines, "time"),       number_of(path, lines, "dt"),
-      number_of(path, lines, "grid_start"), number_of(path, lines, "into_step"),
-      count_of(path, lines, "grid_steps"),  count_of(path, lines, "steps"),
-      numbers_from(path, lines, body)};
+  Simulation::Memory memory{number_of(path, lines, "time"),
+                            number_of(path, lines, "dt"),
+                            number_of(path, lines, "tolerance"),
+                            number_of(path, lines, "grid_start"),
+                            number_of(path, lines, "into_step"),
+                            count_of(path, lines, "grid_steps"),
+                            count_of(path, lines, "steps"),
+                            numbers_from(path, lines, body)};
   try {
     simulation.use_method(find_method(lines.at("method"), simulation.methods()));
     simulation.recall(memory);

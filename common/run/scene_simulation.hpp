@@ -11,6 +11,8 @@
 #include "physics/event_driven.hpp"
 #include "physics/integrators.hpp"
 #include "physics/located_events.hpp"
+#include "physics/one_ball.hpp"
+#include "physics/reference.hpp"
 #include "run/simulation.hpp"
 
 namespace bounce {
@@ -49,12 +51,17 @@ class SceneSimulation final : public Simulation {
   std::vector<Method> methods() const override {
     std::vector<Method> all{Method::explicit_euler, Method::semi_implicit_euler,
                             Method::velocity_verlet, Method::rk4};
-    if (locates_events) all.insert(all.end(), {Method::rk4_events, Method::flight_rk4});
+    if (locates_events) {
+      all.insert(all.end(), {Method::rk4_events, Method::flight_rk4, Method::reference});
+    }
     all.push_back(Method::exact);
     return all;
   }
   long long counted_force_evaluations() const override {
-    if constexpr (locates_events) return located_.force_evaluations();
+    if constexpr (locates_events) {
+      return method() == Method::reference ? reference_->force_evaluations()
+                                           : located_.force_evaluations();
+    }
     return 0;
   }
   std::vector<std::string> columns() const override {
@@ -103,10 +110,14 @@ class SceneSimulation final : public Simulation {
     walker_ = Walker(Exact(scene_), time(), state_);
     if (method() == Method::exact) walker_.reach(time(), 1);  // a start on the touch begins with it
     located_ = Located(Exact(scene_), time(), state_);
+    if constexpr (locates_events) reference_.emplace(fresh_reference());
     verlet_.acceleration.reset();
     compare_from_here();
   }
   double next_event() const override {
+    if constexpr (locates_events) {
+      if (method() == Method::reference) return reference_->next_event();
+    }
     return method() == Method::exact ? walker_.next_event() : never;
   }
 
@@ -118,12 +129,12 @@ class SceneSimulation final : public Simulation {
   }
   void keep_energy_book(bool keep) override { keep_book_ = keep; }
   double energy_before() const override {
-    return floor_moves && method() == Method::exact ? energy().total() : energy_before_;
+    return floor_moves && goes_by_events(method()) ? energy().total() : energy_before_;
   }
   double energy_lost() const override {
     // Without steps there is no book. Beside a floor at rest, what is missing was lost; what a
     // moving floor gave and the damper took cannot be told apart.
-    if (method() == Method::exact) return energy_before() - energy().total();
+    if (goes_by_events(method())) return energy_before() - energy().total();
     return lost_;
   }
 
@@ -166,12 +177,20 @@ class SceneSimulation final : public Simulation {
       case Method::flight_rk4:
         if constexpr (locates_events) take_located_steps(count, t, dt);
         return;
+      case Method::reference:
       case Method::exact:
         return;
     }
   }
 
-  double move_exactly_towards(double t, long long most_events) override {
+  double go_by_events_towards(double t, long long most_events) override {
+    if constexpr (locates_events) {
+      if (method() == Method::reference) {
+        const double there = reference_->reach(t, most_events) ? t : reference_->piece_start();
+        state_ = reference_->at(there);
+        return there;
+      }
+    }
     const double reached = walker_.reach(t, most_events) ? t : walker_.last_event();
     state_ = walker_.at(reached);
     return reached;
@@ -196,6 +215,12 @@ class SceneSimulation final : public Simulation {
       if constexpr (locates_events) {
         append_phase(located_.phase_start(), located_.state_at_phase_start(), located_.phase());
       }
+    } else if (method() == Method::reference) {
+      if constexpr (locates_events) {
+        all.push_back(reference_->next_step());
+        append_phase(reference_->piece_start(), reference_->state_at_piece_start(),
+                     reference_->contacts().phase());
+      }
     }
     return all;
   }
@@ -212,15 +237,24 @@ class SceneSimulation final : public Simulation {
         return own == 0 || own == dimensions;
       case Method::rk4_events:
       case Method::flight_rk4:
+      case Method::reference:
       case Method::exact: {
         const double number = all.back();
-        if (own != of_state + 2 || !(number == 0 || number == 1 || number == 2)) return false;
-        const State<Vector> start = state_from(all, of_state + 1);
+        const std::size_t begin = of_state + (method() == Method::reference ? 1 : 0);
+        if (all.size() != begin + of_state + 2 || !(number == 0 || number == 1 || number == 2)) {
+          return false;
+        }
+        const State<Vector> start = state_from(all, begin + 1);
         const auto phase = static_cast<Phase>(static_cast<int>(number));
         if (method() == Method::exact) {
-          walker_.resume(all[of_state], start, phase);
+          walker_.resume(all[begin], start, phase);
         } else if constexpr (locates_events) {
-          located_.resume(all[of_state], start, phase);
+          if (method() == Method::reference) {
+            reference_.emplace(fresh_reference());
+            reference_->resume({Exact(scene_), phase}, all[begin], start, all[of_state]);
+          } else {
+            located_.resume(all[begin], start, phase);
+          }
         }
         return true;
       }
@@ -241,6 +275,11 @@ class SceneSimulation final : public Simulation {
     NoLocatedEvents(const Exact&, double, const State<Vector>&) {}
   };
   using Located = std::conditional_t<locates_events, LocatedEvents<Exact, Vector>, NoLocatedEvents>;
+  struct NoReference {};
+  using HighOrder = Reference<OneBall<Exact, Vector>, Vector>;
+  HighOrder fresh_reference() const {
+    return {{Exact(scene_), state_}, time(), state_, tolerance()};
+  }
   bool is_located() const {
     return method() == Method::rk4_events || method() == Method::flight_rk4;
   }
@@ -324,8 +363,9 @@ class SceneSimulation final : public Simulation {
   Scene scene_;
   State<Vector> state_ = scene_.start;
   VelocityVerlet<Vector> verlet_;
-  Walker walker_{Exact(scene_), 0, state_};         // the movement, for `exact`
-  Located located_{Exact(scene_), 0, state_};       // for methods that step but locate events
+  Walker walker_{Exact(scene_), 0, state_};    // the movement, for `exact`
+  Located located_{Exact(scene_), 0, state_};  // for methods that step but locate events
+  std::conditional_t<locates_events, std::optional<HighOrder>, NoReference> reference_;
   mutable Walker truth_{Exact(scene_), 0, state_};  // what all others are compared with
   bool keep_book_ = false;
   double energy_before_ = 0;

@@ -15,6 +15,11 @@ void Simulation::use_dt(double dt) {
   start_grid_here();
 }
 
+void Simulation::use_tolerance(double tolerance) {
+  tolerance_ = tolerance;
+  start_grid_here();
+}
+
 void Simulation::start_grid_here() {
   grid_start_ = time_;
   grid_steps_ = 0;
@@ -36,8 +41,8 @@ void Simulation::advance_to(double t) {
 }
 
 bool Simulation::advance_some(double t) {
-  if (method_ == Method::exact) {
-    const double reached = move_exactly_towards(t, 1000000);
+  if (goes_by_events(method_)) {
+    const double reached = go_by_events_towards(t, 1000000);
     if (!is_finite()) throw NonFinite(time_);
     time_ = reached;
     return reached == t;
@@ -104,20 +109,22 @@ void Simulation::take_checked_steps(long long count, double t, double dt) {
 }
 
 Simulation::Memory Simulation::memory() const {
-  return {time_, dt_, grid_start_, into_step_, grid_steps_, steps_, numbers()};
+  return {time_, dt_, tolerance_, grid_start_, into_step_, grid_steps_, steps_, numbers()};
 }
 
 void Simulation::recall(const Memory& memory) {
   const double grid_time =
       memory.grid_start + static_cast<double>(memory.grid_steps) * memory.dt + memory.into_step;
   const bool makes_sense = memory.dt >= 1e-15 && memory.dt <= 1e15 && memory.time >= 0 &&
+                           memory.tolerance >= 1e-15 && memory.tolerance <= 1 &&
                            memory.grid_start >= 0 && memory.grid_steps >= 0 && memory.steps >= 0 &&
                            memory.into_step >= 0 && memory.into_step < memory.dt &&
-                           (method_ == Method::exact || std::abs(grid_time - memory.time) <=
-                                                            1e-6 * memory.dt + 1e-12 * grid_time);
+                           (goes_by_events(method_) || std::abs(grid_time - memory.time) <=
+                                                           1e-6 * memory.dt + 1e-12 * grid_time);
   if (!makes_sense) throw BadInput("its clock makes no sense");
   time_ = memory.time;
   dt_ = memory.dt;
+  tolerance_ = memory.tolerance;
   grid_start_ = memory.grid_start;
   into_step_ = memory.into_step;
   grid_steps_ = memory.grid_steps;

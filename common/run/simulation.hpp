@@ -53,8 +53,9 @@ class Simulation {
   virtual double swing_rate() const { return 0; }
 
   // ---- Where it stands
-  double time() const { return time_; }  // [s]
-  double dt() const { return dt_; }      // [s]
+  double time() const { return time_; }            // [s]
+  double dt() const { return dt_; }                // [s]
+  double tolerance() const { return tolerance_; }  // of `reference`
   Method method() const { return method_; }
   long long steps() const { return steps_; }  // since the start, shortened ones too
 
@@ -77,6 +78,7 @@ class Simulation {
   virtual void use_seed(std::uint64_t /*seed*/) {}  // where a start has chance in it
   void use_method(Method method);
   void use_dt(double dt);
+  void use_tolerance(double tolerance);
   void restart();  // from t = 0 and the scene's start
 
   /// Puts the ball somewhere else in the middle of a run: a trace row's values.
@@ -96,7 +98,7 @@ class Simulation {
   void advance_one_step() { advance_to(time_of_next_step()); }
   double time_of_next_step() const;
 
-  /// The next touch or lift-off [s], known for `exact` only; else infinity.
+  /// The next touch or lift-off [s], for the methods that go by events; else infinity.
   virtual double next_event() const = 0;
 
   // ---- Energy since the last restart or change of parameters [J]. Whatever is not here now and
@@ -110,7 +112,7 @@ class Simulation {
 
   // ---- For `--save` and `--load`: all that the next step depends on, as plain numbers.
   struct Memory {
-    double time, dt, grid_start, into_step;
+    double time, dt, tolerance, grid_start, into_step;
     long long grid_steps, steps;
     std::vector<double> numbers;  // state and the method's own memory
   };
@@ -126,7 +128,7 @@ class Simulation {
   virtual void compare_from_here() = 0;  // exact solution and energy book start anew
   virtual void take_steps(long long count, double t, double dt) = 0;
   /// Passes at most so many events. Returns the time that it has reached.
-  virtual double move_exactly_towards(double t, long long most_events) = 0;
+  virtual double go_by_events_towards(double t, long long most_events) = 0;
   virtual bool is_finite() const = 0;
   virtual std::vector<double> numbers() const = 0;
   virtual bool recall_numbers(const std::vector<double>& numbers) = 0;
@@ -139,6 +141,7 @@ class Simulation {
 
   Method method_ = Method::semi_implicit_euler;
   double dt_ = 1e-3;
+  double tolerance_ = 1e-12;
   double time_ = 0;
   double grid_start_ = 0;     // steps end at grid_start_ + n dt_
   long long grid_steps_ = 0;  // n of the last grid point passed

@@ -41,6 +41,7 @@ struct ThreeDimensionsExact {
     return upwards.touch_lasts(along_y(state));
   }
   Phase after_touch() const { return upwards.after_touch(); }
+  double time_scale() const { return upwards.time_scale(); }
   double max_bend(const State<Eigen::Vector3d>& start) const {
     return upwards.max_bend(along_y(start));
   }

@@ -88,7 +88,7 @@ class BallsSimulation final : public Simulation {
     lost_ = 0;
   }
   void take_steps(long long count, double t, double dt) override;
-  double move_exactly_towards(double t, long long /*most_events*/) override { return t; }
+  double go_by_events_towards(double t, long long /*most_events*/) override { return t; }
   bool is_finite() const override {
     return state_.position.allFinite() && state_.velocity.allFinite();
   }

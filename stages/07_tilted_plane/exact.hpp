@@ -45,6 +45,7 @@ struct TiltedPlaneExact {
     return along_normal.touch_lasts(normal_part(state));
   }
   Phase after_touch() const { return along_normal.after_touch(); }
+  double time_scale() const { return along_normal.time_scale(); }
   double max_bend(const State<Eigen::Vector3d>& start) const {
     return along_normal.max_bend(normal_part(start));
   }

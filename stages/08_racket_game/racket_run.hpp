@@ -168,7 +168,7 @@ class RacketRun final : public Simulation {
     round_.side = scene.side;
     round_.ball = seen_from_ground(from_racket_, t + static_cast<double>(count) * dt);
   }
-  double move_exactly_towards(double t, long long /*most_events*/) override {
+  double go_by_events_towards(double t, long long /*most_events*/) override {
     if (!walk_) return t;
     round_.ball = walk_->at(t);
     from_racket_ = seen_from_racket(round_.ball, t);

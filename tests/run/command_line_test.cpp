@@ -118,7 +118,7 @@ TEST_CASE("every run ends with one summary line on standard error") {
 
 TEST_CASE("a run that was saved and goes on gives the same bits as one that never stopped") {
   for (const std::string method :
-       {"explicit-euler", "semi-implicit-euler", "velocity-verlet", "rk4", "exact"}) {
+       {"explicit-euler", "semi-implicit-euler", "velocity-verlet", "rk4", "reference", "exact"}) {
     // 0.4371 s is in the middle of a contact (and of a step of dt = 0.0007).
     for (const std::string stop : {"0.43", "0.4371", "1"}) {
       const std::string setting = "03_damping --headless --dt 0.0007 --method " + method;

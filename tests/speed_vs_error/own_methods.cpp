@@ -79,11 +79,16 @@ template <class Scene, class Exact>
 Subject stepping_subject(const SceneSimulation<Scene, Exact>& simulation, Method method, double dt,
                          double t_end) {
   const auto run = std::make_shared<SceneSimulation<Scene, Exact>>(simulation);
-  Subject subject{name_of(method), "dt", dt, false, {}, {}};
+  const bool by_tolerance = method == Method::reference;
+  Subject subject{name_of(method), by_tolerance ? "tolerance" : "dt", dt, false, {}, {}};
   const auto begin = [=] {
     run->restart();
     run->use_method(method);
-    run->use_dt(dt);
+    if (by_tolerance) {
+      run->use_tolerance(dt);
+    } else {
+      run->use_dt(dt);
+    }
   };
   subject.sample = [=](const std::vector<double>& times) {
     begin();
@@ -145,6 +150,13 @@ Case case_of(const std::string& name, int stage, const std::string& what, double
   one.truth = one.subjects[0].sample(one.times);
   for (const Method method : simulation.methods()) {
     if (method == Method::exact) continue;
+    if (method == Method::reference) {
+      for (const double tolerance : geometric(1e-3, 1e-14, 2)) {
+        one.subjects.push_back(
+            stepping_subject<Scene, Exact>(simulation, method, tolerance, t_end));
+      }
+      continue;
+    }
     // From about the largest stable step of these contacts on.
     for (const double dt : geometric(1e-2, method == Method::rk4_events ? 1e-5 : 2e-6, 6)) {
       one.subjects.push_back(stepping_subject<Scene, Exact>(simulation, method, dt, t_end));

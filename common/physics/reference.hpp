@@ -1,0 +1,249 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "physics/cubic.hpp"
+#include "physics/dormand_prince.hpp"
+#include "physics/event_driven.hpp"
+#include "physics/state.hpp"
+
+namespace bounce {
+
+/// Walks from event to event where a contact has no closed form: flights by formula, contacts by a
+/// method of order 8 that keeps its error within a tolerance, and each step cut where a contact
+/// begins or ends. The pieces in between are smooth, so that the order holds.
+///
+/// The walk does not depend on who looks: a state in the middle of a piece is a shorter step from
+/// the piece's start, and changes nothing.
+///
+/// `Contacts` tells what touches, and how:
+///   bool in_flight()                        nothing acts that the flight's formula does not know
+///   double flight_time(t, state)            until a flight ends [s], or `never`
+///   State fly(state, t)
+///   void land(t, state)                     passes the end of that flight
+///   Vector acceleration(t, state)           the law of the contacts that are now, smooth across
+///                                           their ends [m/s^2]
+///   watches()                               what can happen next: a list of `Watch`
+///   Lasting lasts(watch, t, state, acceleration)   positive until that happens
+///   void pass(watch, t, state)              it happens
+///   double time_scale()                     of the fastest contact [s]: for the first step
+template <class Contacts, class Vector>
+class Reference {
+ public:
+  Reference(const Contacts& contacts, double t, const State<Vector>& state, double tolerance)
+      : contacts_(contacts),
+        tolerance_(tolerance),
+        t_(t),
+        state_(state),
+        step_(contacts.time_scale()) {}
+
+  /// Goes on to the last event or step before `t`, over at most so many. Returns whether it got
+  /// there.
+  bool reach(double t, long long most_pieces) {
+    for (; next_end() <= t; --most_pieces) {
+      if (most_pieces == 0) return false;
+      pass_piece();
+    }
+    return true;
+  }
+
+  /// The state at `t`, which must lie in the current piece.
+  State<Vector> at(double t) {
+    if (t == t_) return state_;
+    if (contacts_.in_flight()) return contacts_.fly(state_, t - t_);
+    method_.start_at(contacts_, t_, state_);
+    return method_.step(contacts_, t_, t - t_);
+  }
+
+  /// When the next event comes [s]; where none is near, how far it looked.
+  double next_event() const {
+    Reference ahead = *this;
+    for (int piece = 0; piece < 1000; ++piece) {
+      const double end = ahead.next_end();
+      if (ahead.next_->is_event || end == never) return end;
+      ahead.pass_piece();
+    }
+    return ahead.t_;
+  }
+
+  double piece_start() const { return t_; }  // [s]
+  const State<Vector>& state_at_piece_start() const { return state_; }
+  const Contacts& contacts() const { return contacts_; }
+  double tolerance() const { return tolerance_; }
+  double next_step() const { return step_; }
+  long long force_evaluations() const { return method_.evaluations(); }
+  long long pieces() const { return pieces_; }
+
+  /// Continues a run that was saved.
+  void resume(const Contacts& contacts, double t, const State<Vector>& state, double step) {
+    contacts_ = contacts;
+    t_ = t;
+    state_ = state;
+    step_ = step;
+    next_.reset();
+  }
+
+ private:
+  using Watch = typename Contacts::Watch;
+
+  struct Piece {
+    double end;
+    bool is_event;
+    std::optional<Watch> what;  // for an event that ends no flight
+    double step_after;          // s
+  };
+
+  double next_end() {
+    if (!next_) next_ = contacts_.in_flight() ? flight() : contact();
+    return next_->end;
+  }
+
+  void pass_piece() {
+    const double before = t_;
+    t_ = next_->end;
+    step_ = next_->step_after;
+    if (contacts_.in_flight()) {
+      state_ = contacts_.fly(state_, flight_time_);
+      contacts_.land(t_, state_);
+    } else {
+      state_ = after_;
+      if (next_->what) contacts_.pass(*next_->what, t_, state_);
+    }
+    const double rounding = 4 * std::numeric_limits<double>::epsilon() * t_;
+    crowded_ = t_ - before > rounding ? 0 : crowded_ + 1;
+    if (crowded_ > 1000 + 10 * static_cast<long long>(watched_.size())) throw TimeStandsStill(t_);
+    next_.reset();
+    ++pieces_;
+  }
+
+  Piece flight() {
+    flight_time_ = contacts_.flight_time(t_, state_);
+    return {t_ + flight_time_, true, std::nullopt, step_};
+  }
+
+  // ---- In contact
+
+  /// What is watched, and its value at the piece's start.
+  struct Watched {
+    Watch what;
+    Lasting before;
+    Look look;
+  };
+
+  Piece contact() {
+    method_.start_at(contacts_, t_, state_);
+    watched_.clear();
+    for (const Watch& what : contacts_.watches()) {
+      Lasting before = contacts_.lasts(what, t_, state_, method_.acceleration_at_start());
+      if (before.value <= 0 && before.slope < 0) {  // together with the event before
+        after_ = state_;
+        return {t_, true, what, step_};
+      }
+      before.value = std::max(before.value, 0.0);  // an event's rounding
+      watched_.push_back({what, before, Look::lasts});
+    }
+    double h = accurate_step();
+    const double proposed = step_after_;
+    const Watched* event = cut_at_first_event(h);
+    return {t_ + h, event != nullptr, event ? std::optional(event->what) : std::nullopt, proposed};
+  }
+
+  double shortest_step() const { return 4 * std::numeric_limits<double>::epsilon() * t_; }
+
+  /// A step whose error is within the tolerance; `after_` is its end.
+  double accurate_step() {
+    double h = step_;
+    bool shortened = false;
+    while (true) {
+      if (!(h > shortest_step())) throw TimeStandsStill(t_);
+      after_ = method_.step(contacts_, t_, h);
+      const double error = method_.error(h, tolerance_);
+      step_after_ = error > 0 ? DormandPrince<Vector>::better_step(h, error) : 6 * h;
+      if (error <= 1) break;
+      h = std::min(step_after_, 0.9 * h);
+      shortened = true;
+    }
+    if (shortened) step_after_ = std::min(step_after_, h);
+    return h;
+  }
+
+  /// Shortens the step `h` until at most one thing happens in it, at its very end: the one that is
+  /// returned.
+  const Watched* cut_at_first_event(double& h) {
+    const Watched* event = nullptr;
+    while (true) {
+      const Vector acceleration = acceleration_after(h);
+      Watched* ends = nullptr;
+      bool unclear = false;
+      for (Watched& watched : watched_) {
+        if (&watched == event) continue;
+        const Lasting now = contacts_.lasts(watched.what, t_ + h, after_, acceleration);
+        watched.look = look(watched.before, now, h);
+        unclear = unclear || watched.look == Look::unclear;
+        if (watched.look == Look::ends && !ends) ends = &watched;
+      }
+      if (unclear && h / 2 > shortest_step()) {
+        h /= 2;
+        event = nullptr;
+        after_ = method_.step(contacts_, t_, h);
+        continue;
+      }
+      if (!ends) return event;
+      const double before = h;
+      h = cut(*ends, h);
+      const bool simultaneous = event && h >= before * (1 - 1e-15);
+      event = ends;
+      if (simultaneous) return event;
+    }
+  }
+
+  Vector acceleration_after(double h) { return contacts_.acceleration(t_ + h, after_); }
+
+  /// Newton's method on the length of the step: it ends where `watched` does. Returns the length.
+  double cut(const Watched& watched, double h) {
+    const Lasting end = contacts_.lasts(watched.what, t_ + h, after_, acceleration_after(h));
+    double low = 0, high = h;
+    double length = Cubic(watched.before, end, h).zero();
+    for (int i = 0; i < 60; ++i) {
+      after_ = method_.step(contacts_, t_, length);
+      const Vector acceleration = acceleration_after(length);
+      const Lasting now = contacts_.lasts(watched.what, t_ + length, after_, acceleration);
+      (now.value > 0 ? low : high) = length;
+      double next = (low + high) / 2;
+      if (now.slope < 0) {
+        const double newton = length - now.value / now.slope;
+        if (low <= newton && newton <= high) next = newton;
+      }
+      const double rest = next - length;
+      if (std::abs(rest) <= 1e-7 * h) {
+        // So little that two terms of Taylor's series go the rest of the way.
+        after_.position += (after_.velocity + acceleration * (rest / 2)) * rest;
+        after_.velocity += acceleration * rest;
+        return next;
+      }
+      length = next;
+    }
+    return length;
+  }
+
+  Contacts contacts_;
+  double tolerance_;
+  double t_;  // the current piece begins
+  State<Vector> state_;
+  double step_;  // s: what the error control proposes for the next step
+  long long pieces_ = 0;
+  long long crowded_ = 0;  // events in a row that did not advance time
+
+  // The piece from there, once it is known
+  std::optional<Piece> next_;
+  double flight_time_ = 0;
+  State<Vector> after_{};  // its end
+  double step_after_ = 0;
+  std::vector<Watched> watched_;
+  DormandPrince<Vector> method_;
+};
+
+}  // namespace bounce
