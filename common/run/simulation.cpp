@@ -47,7 +47,10 @@ bool Simulation::advance_some(double t) {
     time_ = reached;
     return reached == t;
   }
-  const long long steps = std::max(1LL, 10000000LL / static_cast<long long>(balls()));
+  // A million steps of one ball take less than a second in a debug build, too. Each portion costs a
+  // copy of the state: with very many balls, ten steps are better than one.
+  const auto n = static_cast<long long>(balls());
+  const long long steps = std::max({1LL, 1000000LL / n, std::min(10LL, 10000000LL / n)});
   take_steps_to(std::min(t, grid_time(grid_steps_ + steps)));
   return time_ >= t;
 }
