@@ -193,14 +193,11 @@ void load_state(const std::string& path, const StageName& stage, Simulation& sim
   }
   if (!lines.count("method")) refuse(path, "it is not complete");
 
-  Simulation::Memory memory{number_of(path, lines, "time"),
-                            number_of(path, lines, "dt"),
-                            number_of(path, lines, "tolerance"),
-                            number_of(path, lines, "grid_start"),
-                            number_of(path, lines, "into_step"),
-                            count_of(path, lines, "grid_steps"),
-                            count_of(path, lines, "steps"),
-                            numbers_from(path, lines, body)};
+  Simulation::Memory memory{
+      number_of(path, lines, "time"),      number_of(path, lines, "dt"),
+      number_of(path, lines, "tolerance"), number_of(path, lines, "grid_start"),
+      number_of(path, lines, "into_step"), count_of(path, lines, "grid_steps"),
+      count_of(path, lines, "steps"),      numbers_from(path, lines, body)};
   try {
     simulation.use_method(find_method(lines.at("method"), simulation.methods()));
     simulation.recall(memory);

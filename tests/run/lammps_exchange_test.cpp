@@ -1,6 +1,8 @@
 // Stage 5 hands its balls to LAMMPS and takes them back. (The journey through LAMMPS itself is in
 // lammps_round_trip_long_test.cpp.)
 
+#include <unistd.h>
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -33,7 +35,7 @@ std::size_t files_left() {
 struct TemporaryFile {
   std::string path;
   explicit TemporaryFile(const std::string& name, const std::string& text)
-      : path((fs::temp_directory_path() / name).string()) {
+      : path((fs::temp_directory_path() / (name + "." + std::to_string(getpid()))).string()) {
     std::ofstream(path, std::ios::binary) << text;
   }
   ~TemporaryFile() { fs::remove(path); }
