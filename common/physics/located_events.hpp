@@ -111,10 +111,18 @@ class LocatedEvents {
       const Lasting before = phases_.touch_lasts(state);
       State<Vector> after = state;
       step(law_, t, after, dt);
-      if (!certain_to_last(before, after, dt)) {
+      // The bound of the touch's start serves most steps. That of the present moment is far below
+      // it once the ball has come to rest, and lets it rest in whole steps.
+      double max_bend = max_bend_;
+      bool is_certain = certain_to_last(before, after, dt, max_bend);
+      if (!is_certain) {
+        max_bend = std::min(max_bend, phases_.max_bend(state));
+        is_certain = certain_to_last(before, after, dt, max_bend);
+      }
+      if (!is_certain) {
         const Lasting now = phases_.touch_lasts(after);
         // Where the function falls all the way, it has one zero. Else a smaller step tells more.
-        const bool falls = now.slope < -max_bend_ * dt;
+        const bool falls = now.slope < -max_bend * dt;
         const bool tiny = dt < 4 * std::numeric_limits<double>::epsilon() * end;
         if (now.value <= 0 && (falls || tiny)) {
           t += cut(step, t, state, dt);
@@ -134,12 +142,13 @@ class LocatedEvents {
     return false;
   }
 
-  /// With |f''| <= B, f stays above its parabola value + slope s - B s^2 / 2, which is positive
-  /// between two moments at which it is; and f stays above its chord minus B dt^2 / 8.
-  bool certain_to_last(const Lasting& before, const State<Vector>& after, double dt) const {
-    if (before.value + (before.slope - max_bend_ * dt / 2) * dt > 0) return true;
+  /// With |f''| <= B (`max_bend`), f stays above its parabola value + slope s - B s^2 / 2, which is
+  /// positive between two moments at which it is; and f stays above its chord minus B dt^2 / 8.
+  bool certain_to_last(const Lasting& before, const State<Vector>& after, double dt,
+                       double max_bend) const {
+    if (before.value + (before.slope - max_bend * dt / 2) * dt > 0) return true;
     const double chord = std::min(before.value, phases_.touch_lasts(after).value);
-    return chord > max_bend_ * dt * dt / 8;
+    return chord > max_bend * dt * dt / 8;
   }
 
   /// Shortens a step of `dt`, over which the touch ends, until it ends there: Newton's method on

@@ -181,3 +181,20 @@ TEST_CASE("a located run that is cut, saved and resumed goes on as if nothing ha
     CHECK(parts.values()[0] == doctest::Approx(whole.values()[0]).epsilon(1e-12));
   }
 }
+
+TEST_CASE("a ball that has come to rest is moved in whole steps") {
+  // Over-damped (zeta = 2.5), and stable up to 5.8 ms. The bound from the touch at 4 m/s would cut
+  // each step into four for ever, because the ball rests only 1 mm deep.
+  for (const Method method : {Method::rk4_events, Method::flight_rk4}) {
+    SceneSimulation<Damping, DampingExact> run;
+    find_parameter(run.parameters(), "damping").set("500");
+    run.use_method(method);
+    run.use_dt(5e-3);
+    run.restart();
+    run.advance_to(1);  // from 0.43 s on it touches
+    const long long before = run.counted_force_evaluations();
+    run.advance_to(11);
+    CAPTURE(name_of(method));
+    CHECK(run.counted_force_evaluations() - before == 4 * 2000);
+  }
+}
