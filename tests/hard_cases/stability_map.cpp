@@ -55,6 +55,20 @@ std::string ranges(const std::vector<double>& steps, int phases) {
   return csv;
 }
 
+/// The same as a table of a lesson.
+std::string as_table(const std::string& csv) {
+  std::string table;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    const auto words = split(line);
+    table += "| " + join(words, " | ") + " |\n";
+    if (words[0] != "method") continue;
+    for (std::size_t i = 0; i < words.size(); ++i) table += "|---";
+    table += "|\n";
+  }
+  return table;
+}
+
 std::vector<std::vector<std::string>> rows_of(const std::string& csv, const std::string& method) {
   std::vector<std::vector<std::string>> rows;
   std::istringstream lines(csv);
@@ -124,11 +138,11 @@ std::vector<double> evenly(double from, double to, double by) {
 int main(int argc, char** argv) {
   const std::string word = argc > 1 ? argv[1] : "";
   if (word == "limits") {
-    std::cout << limits({0, 0.1, 0.5, 1, 2.31});
+    std::cout << as_table(limits({0, 0.1, 0.5, 1, 2.31}));
     return 0;
   }
   if (word == "ranges") {
-    std::cout << ranges({0.1, 0.5, 1, 1.5, 1.9}, 2000);
+    std::cout << as_table(ranges({0.1, 0.5, 1, 1.5, 1.9}, 2000));
     return 0;
   }
   if (!word.empty()) {
