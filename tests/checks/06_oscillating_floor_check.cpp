@@ -6,7 +6,7 @@ using namespace bounce::check;
 
 namespace {
 
-constexpr int relative = 0, absolute = 1, slides = 2;  // FloorLaw
+constexpr int relative = 0, slides = 2;  // FloorLaw; 1 is absolute
 
 double angle(const Moment& m) { return m.setting.angular_frequency * m.t + m.setting.phase; }
 double steady(const Moment& m) { return m.setting.floor_velocity * m.t; }

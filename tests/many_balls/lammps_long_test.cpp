@@ -6,7 +6,8 @@ using namespace bounce;
 
 // As lammps_test.cpp, with the LAMMPS of this machine, and more than one law.
 TEST_CASE("many balls: LAMMPS, run now, has them in the same places") {
-  for (const auto& [stiffness, damping] : {std::pair{1e5, 100.0}, std::pair{2e4, 0.0}}) {
+  for (const bool is_damped : {true, false}) {
+    const double stiffness = is_damped ? 1e5 : 2e4, damping = is_damped ? 100 : 0;
     test::Crowd crowd = test::collapse(1000);
     crowd.scene.stiffness = stiffness;
     crowd.scene.damping = damping;

@@ -129,7 +129,7 @@ TEST_CASE("many balls: any number of them, both laws, with and without floor and
 }
 
 TEST_CASE("many balls: of all sizes and masses, at rest upon each other and far apart") {
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
     CAPTURE(seed);
     test::Crowd crowd = mixed(120, 0.8, seed);
     crowd.scene.radius[17] = 0.4;  // one that holds many of the others

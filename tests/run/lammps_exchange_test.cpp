@@ -92,11 +92,11 @@ TEST_CASE("what LAMMPS would compute otherwise is not exported: exit code 2, and
       {verlet + "--set scene=drop --set tray=0.09,1", "narrower"},
       {"--method velocity-verlet --dt 3e-4 --duration 0.1", "whole"},
   };
-  for (const auto& [words, says] : refused) {
-    const Outcome run = run_program(program + words + " --export-lammps out");
-    INFO(words, "\n", run.err);
+  for (const auto& wrong : refused) {
+    const Outcome run = run_program(program + wrong.words + " --export-lammps out");
+    INFO(wrong.words, "\n", run.err);
     CHECK(run.code == 2);
-    CHECK(contains(run.err, says));
+    CHECK(contains(run.err, wrong.says));
     CHECK(files_left() == 0);
   }
   // Without damping, neither the mass nor the pull before lift-off makes a difference.
@@ -157,11 +157,11 @@ TEST_CASE("a damaged dump is refused, with its line") {
       {"ITEM: TIMESTEP\n1\nITEM: NUMBER OF ATOMS\n0\n", "line 4: there is no ball"},
       {"ITEM: TIMESTEP\n1\nITEM: NUMBER OF ATOMS\n999999999\n" + columns, "line 6: the file ends"},
   };
-  for (const auto& [text, says] : bad) {
-    const Outcome run = import(text, "");
-    INFO(text, run.err);
+  for (const auto& damaged : bad) {
+    const Outcome run = import(damaged.text, "");
+    INFO(damaged.text, run.err);
     CHECK(run.code == 2);
-    CHECK(contains(run.err, says));
+    CHECK(contains(run.err, damaged.says));
   }
   CHECK(run_program(program + "--headless --import-lammps .").code == 2);
   CHECK(run_program(program + "--headless --import-lammps no_such_file").code == 2);
