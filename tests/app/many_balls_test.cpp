@@ -60,14 +60,15 @@ CpuCost frame_cost(const std::string& count, int frames) {
 }
 
 TEST_CASE("1,000 balls: more than 30 frames a second in the software renderer") {
-  const CpuCost cost = frame_cost("1000", 90);  // 1.5 s: they have fallen and lie in the tray
+  [[maybe_unused]] const CpuCost cost =
+      frame_cost("1000", 90);  // 1.5 s: they have fallen and lie in the tray
 #ifdef NDEBUG
   CHECK(cost.physics + cost.picture < 1.0 / 30);
 #endif
 }
 
 TEST_CASE("10,000 balls: 8 frames a second in the software renderer") {
-  const CpuCost cost = frame_cost("10000", 60);
+  [[maybe_unused]] const CpuCost cost = frame_cost("10000", 60);
 #ifdef NDEBUG
   CHECK(cost.physics + cost.picture < 1.0 / 8);
 #endif
