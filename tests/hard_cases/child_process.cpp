@@ -54,7 +54,11 @@ Child ChildFolder::run(const std::string& program, const std::vector<std::string
   int status = 0;
   while (waitpid(child, &status, WNOHANG) == 0) {
     const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - begin;
-    if (waited.count() > seconds && !run.timed_out) {
+    if (waited.count() > seconds && !run.interrupted) {
+      run.interrupted = true;
+      kill(child, SIGINT);
+    }
+    if (waited.count() > 3 * seconds && !run.timed_out) {
       run.timed_out = true;
       kill(child, SIGKILL);
     }

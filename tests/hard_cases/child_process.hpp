@@ -6,8 +6,9 @@ namespace bounce::test {
 
 /// How a program went.
 struct Child {
-  int code = -1;  // 128 + the signal that ended it
-  bool timed_out = false;
+  int code = -1;             // 128 + the signal that ended it
+  bool interrupted = false;  // after the time given, as with Ctrl-C
+  bool timed_out = false;    // it did not hear that
   std::string out, err;
   std::string left_behind;  // a file in its folder, if there is one
 };
@@ -24,8 +25,8 @@ class ChildFolder {
   ChildFolder(const ChildFolder&) = delete;
   ChildFolder& operator=(const ChildFolder&) = delete;
 
-  /// Runs a program in an empty folder, without a shell and without a display, and ends it after so
-  /// many seconds. The files stand in ../in.
+  /// Runs a program in an empty folder, without a shell and without a display. After so many
+  /// seconds it is interrupted, and after twice as many again ended. The files stand in ../in.
   Child run(const std::string& program, const std::vector<std::string>& words,
             const std::vector<InputFile>& files, double seconds);
   /// What the last program wrote into its folder under this name.
