@@ -53,7 +53,8 @@ Distance<V> separated(const Pass& pass, Slot first, const Slot* neighbours, Dist
   alignas(64) double x[group], y[group], z[group], d[group];
   for (Slot n = 0; n < width<V>; ++n) {
     const bool is_apart = lane(of.d, n) > 1e-100;
-    const bool is_lower = pass.number[first + n] < pass.number[neighbours[n]];
+    // (Nobody, who has no number, is always apart.)
+    const bool is_lower = !is_apart && pass.number[first + n] < pass.number[neighbours[n]];
     x[n] = is_apart ? lane(of.between.x, n) : 0;
     y[n] = is_apart ? lane(of.between.y, n) : (is_lower ? 1 : -1);
     z[n] = is_apart ? lane(of.between.z, n) : 0;
