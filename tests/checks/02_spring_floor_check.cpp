@@ -36,11 +36,11 @@ Question<Moment> force_question(const std::string& tested) {
        "above the floor the spring is stretched and pulls the ball down. A floor does not: only "
        "while y < r.",
        [](const Moment& m) { return up(-m.weight() + spring(m)); }},
-      {"y < 0 for y < r",
+      {"y < 0 instead of y < r",
        "the spring starts when the ball's centre reaches the floor. Its lower edge gets there a "
        "radius earlier: while y < r.",
        [](const Moment& m) { return up(-m.weight() + (m.y() < 0 ? spring(m) : 0)); }},
-      {"y < 0 for y < r",
+      {"y < 0 instead of y < r",
        "contact and overlap are counted from the ball's centre, as if it had no radius: while y < "
        "r, the overlap is r - y.",
        [](const Moment& m) {

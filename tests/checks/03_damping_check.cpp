@@ -29,7 +29,8 @@ Question<Moment> force_question(const std::string& tested) {
   q.when = one_moment;
   q.look_at = "F = -m g, and while y < r also + k (r - y) - c v.";
   q.suspects = {
-      {"<= for <", "a ball that just touches (y = r) has no overlap, so no contact force: y < r.",
+      {"<= instead of <",
+       "a ball that just touches (y = r) has no overlap, so no contact force: y < r.",
        [](const Moment& m) {
          const bool touches = m.y() <= m.setting.radius;
          return up(-m.weight() + (touches ? clamped(m, spring(m) + damper(m)) : 0));
@@ -67,8 +68,8 @@ Question<Moment> force_question(const std::string& tested) {
          return up(-m.weight() + (m.overlaps() ? clamped(m, -spring(m) + damper(m)) : 0));
        }},
       {"push_only forgotten",
-       "with contact push_only the floor pulls in yours. There the push is max(0, spring + "
-       "damper).",
+       "with contact push_only your floor still pulls. There the push is max(0, spring + damper); "
+       "docs/03_damping.md says why, in \"The slides' damper can pull\".",
        [](const Moment& m) {
          return up(-m.weight() + (m.overlaps() ? spring(m) + damper(m) : 0));
        }},

@@ -26,7 +26,8 @@ Question<Moment> force_question(const std::string& tested) {
   q.when = one_moment;
   q.look_at = "along y it is the force of stage 3; along x and z there is no force at all.";
   q.suspects = {
-      {"<= for <", "a ball that just touches (y = r) has no overlap, so no contact force: y < r.",
+      {"<= instead of <",
+       "a ball that just touches (y = r) has no overlap, so no contact force: y < r.",
        [](const Moment& m) {
          const bool in = m.setting.floor && m.y() <= m.setting.radius;
          return plus(weight(m), up(in ? push(m.setting, overlap(m), m.v()) : 0));

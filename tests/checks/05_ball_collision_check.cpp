@@ -189,9 +189,9 @@ TEST_SUITE("05_ball_collision") {
     q.answer = [](const Two& p) { return up(subject().meet(p.one, p.two).overlap); };
     q.truth = [](const Two& p) { return up(p.overlap()); };
     q.look_at = "r1 + r2 - d, where d is the distance of the centres.";
-    q.suspects = {{"2 r for r1 + r2", "the two radii may differ: r1 + r2.",
+    q.suspects = {{"2 r instead of r1 + r2", "the two radii may differ: r1 + r2.",
                    [](const Two& p) { return up(2 * p.one.radius - p.d()); }},
-                  {"2 r for r1 + r2", "the two radii may differ: r1 + r2.",
+                  {"2 r instead of r1 + r2", "the two radii may differ: r1 + r2.",
                    [](const Two& p) { return up(2 * p.two.radius - p.d()); }},
                   {"one radius only", "both balls have a radius: r1 + r2 - d.",
                    [](const Two& p) { return up(p.one.radius - p.d()); }},

@@ -156,7 +156,7 @@ TEST_SUITE("06_oscillating_floor") {
     q.truth = [](const Moment& m) { return up(height(m)); };
     q.look_at = "h(t) = floor_velocity t + A sin(w t + phase)";
     q.suspects = {
-        {"cos for sin", "the floor starts in the middle of its swing: sin, not cos.",
+        {"cos instead of sin", "the floor starts in the middle of its swing: sin, not cos.",
          [](const Moment& m) { return up(steady(m) + m.setting.amplitude * std::cos(angle(m))); }},
         {"the floor's sign", "the size is right; which way does the floor start?",
          [](const Moment& m) { return up(-height(m)); }},

@@ -206,10 +206,10 @@ TEST_SUITE("07_tilted_plane") {
       m.motion.position[1] = 0.75;
     }
     Question<Moment> q = force_question("the force on a ball at exactly distance r");
-    q.suspects = {
-        {"<= for <", "a ball that just touches has no overlap: distance < r.", [](const Moment& m) {
-           return up(-m.weight() + push(m.setting, 0, m.motion.velocity[1]));
-         }}};
+    q.suspects = {{"<= instead of <", "a ball that just touches has no overlap: distance < r.",
+                   [](const Moment& m) {
+                     return up(-m.weight() + push(m.setting, 0, m.motion.velocity[1]));
+                   }}};
     judge(q, edge);
   }
   TEST_CASE("the ball bounces once and is as far from the plane as the formula says") {

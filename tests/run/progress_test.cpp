@@ -30,6 +30,14 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
+/// False, and said, on a system that has no pseudo-terminals (a bare chroot).
+bool has_terminals() {
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+  if (terminal < 0) MESSAGE("skipped: this system has no pseudo-terminals (is /dev/pts mounted?)");
+  if (terminal >= 0) close(terminal);
+  return terminal >= 0;
+}
+
 /// A stage's program with a terminal as its standard error, and nothing as its standard output.
 class OnTerminal {
  public:
@@ -110,6 +118,7 @@ const std::string long_runs[] = {
 }  // namespace
 
 TEST_CASE("a long run of every stage shows a bar on the terminal, and Ctrl-C takes it away") {
+  if (!has_terminals()) return;
   std::vector<std::unique_ptr<OnTerminal>> runs;
   for (const std::string& command : long_runs)
     runs.push_back(std::make_unique<OnTerminal>(command));
@@ -135,6 +144,7 @@ TEST_CASE("a long run of every stage shows a bar on the terminal, and Ctrl-C tak
 }
 
 TEST_CASE("a short run shows no bar") {
+  if (!has_terminals()) return;
   OnTerminal run("03_damping --headless --duration 1");
   CHECK(run.finish() == 0);
   INFO(run.seen());
@@ -172,6 +182,7 @@ TEST_CASE("memory does not grow with the number of steps") {
   MESSAGE("skipped: the address sanitizer keeps what was freed");
   return;
 #endif
+  if (!has_terminals()) return;
   const auto peak = [](const std::string& duration) {
     OnTerminal run("05_ball_collision --headless --set scene=drop --csv /dev/null --sample 1e-3 " +
                    duration);

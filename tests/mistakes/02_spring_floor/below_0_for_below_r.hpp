@@ -1,6 +1,6 @@
 // The ball sinks in up to its centre before anything happens.
 // check: while they overlap, a spring pushes up with k times the overlap
-// told: y < 0 for y < r
+// told: y < 0 instead of y < r
 
 // [force]
 double force(double /*t*/, const State<double>& state) const {

@@ -1,6 +1,6 @@
 // A jump of c v, a moment too early.
 // check: a ball that just touches has no overlap yet
-// told: <= for <
+// told: <= instead of <
 
 // [force]
 double force(double /*t*/, const State<double>& state) const {

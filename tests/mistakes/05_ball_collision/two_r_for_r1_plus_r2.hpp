@@ -1,6 +1,6 @@
 // As in the slides, where all balls are equal.
 // check: the overlap is r1 + r2 - d
-// told: 2 r for r1 + r2
+// told: 2 r instead of r1 + r2
 
 // [meeting]
 inline Meeting meet(const Ball& ball1, const Ball& ball2) {

@@ -1,6 +1,6 @@
 // The floor starts at the top of its swing.
 // check: the floor is at floor_velocity t + A sin(w t + phase)
-// told: cos for sin
+// told: cos instead of sin
 
 // [floor]
 double floor_height(double t) const {
