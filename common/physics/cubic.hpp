@@ -57,13 +57,19 @@ enum class Look { lasts, ends, unclear };
 
 /// Judged by values and slopes at both ends of a step that resolves the movement: there the cubic
 /// is off by a small share of what its bend makes of a step. Where it comes closer to zero than
-/// that in between, a shorter step must tell.
-inline Look look(const Lasting& before, const Lasting& after, double h) {
+/// that in between, a shorter step must tell. The values are right to `rounding`: what stays within
+/// that of zero has not ended, and a dip of that size is none.
+inline Look look(const Lasting& before, const Lasting& after, double h, double rounding) {
   const Cubic cubic(before, after, h);
   if (const std::optional<double> lowest = cubic.minimum()) {
-    if (!(cubic.at(*lowest) > cubic.bend() / 64)) return Look::unclear;
+    const double low = cubic.at(*lowest);
+    const bool dips = std::min(before.value, after.value) - low > rounding;
+    if (dips && !(low > cubic.bend() / 64)) return Look::unclear;
   }
-  return after.value >= 0 ? Look::lasts : Look::ends;
+  if (after.value >= -rounding) return Look::lasts;
+  // From zero up and down again: only a shorter step finds where it comes down.
+  const bool rises = before.value <= rounding && before.slope * h > rounding;
+  return rises ? Look::unclear : Look::ends;
 }
 
 }  // namespace bounce

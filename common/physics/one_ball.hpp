@@ -32,10 +32,12 @@ class OneBall {
   Vector acceleration(double /*t*/, const State<Vector>& state) const {
     return phases_.acceleration(Phase::touch, state);
   }
-  std::array<Watch, 1> watches() const { return {}; }
+  std::array<Watch, 1> watches(const State<Vector>&, double) const { return {}; }
   Lasting lasts(Watch, double /*t*/, const State<Vector>& state, const Vector&) const {
     return phases_.touch_lasts(state);
   }
+  double rounding(Watch, const State<Vector>&) const { return 0; }
+  bool resolves(const State<Vector>&, const State<Vector>&, double) const { return true; }
   void pass(Watch, double /*t*/, State<Vector>& state) { change_to(phases_.after_touch(), state); }
   double time_scale() const { return phases_.time_scale(); }
 

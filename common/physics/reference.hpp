@@ -26,8 +26,11 @@ namespace bounce {
 ///   void land(t, state)                     passes the end of that flight
 ///   Vector acceleration(t, state)           the law of the contacts that are now, smooth across
 ///                                           their ends [m/s^2]
-///   watches()                               what can happen next: a list of `Watch`
+///   watches(state, h)                       what can happen within `h` seconds: a list of `Watch`
 ///   Lasting lasts(watch, t, state, acceleration)   positive until that happens
+///   double rounding(watch, state)           by how much that value may be off
+///   bool resolves(before, after, h)         a step is short enough that this list is complete, and
+///                                           that nothing begins and ends within it
 ///   void pass(watch, t, state)              it happens
 ///   double time_scale()                     of the fastest contact [s]: for the first step
 template <class Contacts, class Vector>
@@ -136,9 +139,10 @@ class Reference {
   Piece contact() {
     method_.start_at(contacts_, t_, state_);
     watched_.clear();
-    for (const Watch& what : contacts_.watches()) {
+    for (const Watch& what : contacts_.watches(state_, step_)) {
       Lasting before = contacts_.lasts(what, t_, state_, method_.acceleration_at_start());
-      if (before.value <= 0 && before.slope < 0) {  // together with the event before
+      const double rounding = contacts_.rounding(what, state_);
+      if (before.value <= -rounding && before.slope < 0) {  // together with the event before
         after_ = state_;
         return {t_, true, what, step_};
       }
@@ -146,23 +150,27 @@ class Reference {
       watched_.push_back({what, before, Look::lasts});
     }
     double h = accurate_step();
-    const double proposed = step_after_;
     const Watched* event = cut_at_first_event(h);
-    return {t_ + h, event != nullptr, event ? std::optional(event->what) : std::nullopt, proposed};
+    return {t_ + h, event != nullptr, event ? std::optional(event->what) : std::nullopt,
+            step_after_};
   }
 
   double shortest_step() const { return 4 * std::numeric_limits<double>::epsilon() * t_; }
 
-  /// A step whose error is within the tolerance; `after_` is its end.
+  /// A step whose error is within the tolerance; `after_` is its end. Where a law jumps without an
+  /// event (two balls run through each other, centre through centre), the shortest step has to do.
   double accurate_step() {
     double h = step_;
     bool shortened = false;
     while (true) {
-      if (!(h > shortest_step())) throw TimeStandsStill(t_);
       after_ = method_.step(contacts_, t_, h);
       const double error = method_.error(h, tolerance_);
       step_after_ = error > 0 ? DormandPrince<Vector>::better_step(h, error) : 6 * h;
       if (error <= 1) break;
+      if (!(h > shortest_step())) {
+        if (!std::isfinite(error)) throw TimeStandsStill(t_);
+        break;
+      }
       h = std::min(step_after_, 0.9 * h);
       shortened = true;
     }
@@ -177,15 +185,16 @@ class Reference {
     while (true) {
       const Vector acceleration = acceleration_after(h);
       Watched* ends = nullptr;
-      bool unclear = false;
+      bool unclear = !contacts_.resolves(state_, after_, h);
       for (Watched& watched : watched_) {
         if (&watched == event) continue;
         const Lasting now = contacts_.lasts(watched.what, t_ + h, after_, acceleration);
-        watched.look = look(watched.before, now, h);
+        watched.look = look(watched.before, now, h, contacts_.rounding(watched.what, after_));
         unclear = unclear || watched.look == Look::unclear;
         if (watched.look == Look::ends && !ends) ends = &watched;
       }
       if (unclear && h / 2 > shortest_step()) {
+        step_after_ = std::min(step_after_, h);
         h /= 2;
         event = nullptr;
         after_ = method_.step(contacts_, t_, h);
@@ -194,7 +203,7 @@ class Reference {
       if (!ends) return event;
       const double before = h;
       h = cut(*ends, h);
-      const bool simultaneous = event && h >= before * (1 - 1e-15);
+      const bool simultaneous = event && before - h <= shortest_step();
       event = ends;
       if (simultaneous) return event;
     }
@@ -218,7 +227,7 @@ class Reference {
         if (low <= newton && newton <= high) next = newton;
       }
       const double rest = next - length;
-      if (std::abs(rest) <= 1e-7 * h) {
+      if (std::abs(rest) <= std::max(1e-7 * h, shortest_step())) {
         // So little that two terms of Taylor's series go the rest of the way.
         after_.position += (after_.velocity + acceleration * (rest / 2)) * rest;
         after_.velocity += acceleration * rest;

@@ -271,6 +271,7 @@ bool parse_command_line(int argc, const char* const* argv, const StageName& stag
       throw BadInput("--load brings its own state: leave out " + option.name);
     option.go_on(simulation, given->second);
   }
+  simulation.check_method();
   read_times(words, options, simulation.time());
   check_size(options, simulation);
   options.headless |= !options.csv.empty() || !options.screenshot.empty() ||

@@ -47,6 +47,8 @@ class Simulation {
   // ---- What it is
   virtual std::vector<Parameter> parameters() = 0;  // they refer into this object
   virtual std::vector<Method> methods() const = 0;
+  /// Throws BadInput where the chosen method cannot serve this scene.
+  virtual void check_method() const {}
   virtual std::vector<std::string> columns() const = 0;  // of the trace, after `t`
   virtual std::optional<ContactNumbers> contact() const = 0;
   /// How fast something swings by itself [rad/s], whatever the contact: a floor. 0: nothing does.

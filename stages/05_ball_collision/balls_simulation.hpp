@@ -1,14 +1,17 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "ball_collision.hpp"
+#include "ball_contacts.hpp"
 #include "many_balls/lammps_import.hpp"
 #include "many_balls/many_balls.hpp"
 #include "physics/event_driven.hpp"
 #include "physics/integrators.hpp"
+#include "physics/reference.hpp"
 #include "physics/stability.hpp"
 #include "run/options.hpp"
 #include "run/simulation.hpp"
@@ -53,7 +56,13 @@ class BallsSimulation final : public Simulation {
   std::vector<Parameter> parameters() override;
   std::vector<Method> methods() const override {
     return {Method::explicit_euler, Method::semi_implicit_euler, Method::velocity_verlet,
-            Method::rk4};
+            Method::rk4, Method::reference};
+  }
+  void check_method() const override {
+    if (method() == Method::reference && balls() > most_balls_of_reference) {
+      throw BadInput("--method reference is not allowed with " + std::to_string(balls()) +
+                     " balls: " + why_not_so_many);
+    }
   }
   std::vector<std::string> columns() const override {
     return {"ball", "x", "y", "z", "vx", "vy", "vz"};
@@ -67,19 +76,32 @@ class BallsSimulation final : public Simulation {
   void place(const std::vector<double>& values) override;
   void parameters_changed() override {
     verlet_.acceleration.reset();
+    reference_.reset();
+    // A scene that was just chosen has no balls before the restart.
+    const bool has_balls = scene_.mass.size() == state_.position.cols();
+    if (method() == Method::reference && has_balls && balls() <= most_balls_of_reference) {
+      reference_.emplace(fresh_reference());
+    }
     compare_from_here();
   }
 
   Energy energy() const override { return scene_.energy(state_); }
   void keep_energy_book(bool keep) override { keep_book_ = keep; }
   double energy_before() const override { return energy_before_; }
-  double energy_lost() const override { return lost_; }
+
+  // The reference keeps no book of steps: without a formula for it, what is missing was lost.
+  double energy_lost() const override {
+    return reference_ ? energy_before_ - energy().total() : lost_;
+  }
 
   // There is no formula for many balls.
   std::vector<double> exact_values(double /*t*/) const override { return {}; }
   std::optional<StateError> error() const override { return std::nullopt; }
   std::optional<double> exact_energy() const override { return std::nullopt; }
-  double next_event() const override { return never; }
+  double next_event() const override { return reference_ ? reference_->next_event() : never; }
+  long long counted_force_evaluations() const override {
+    return reference_ ? reference_->force_evaluations() : 0;
+  }
 
  protected:
   void reset_state() override;
@@ -88,7 +110,7 @@ class BallsSimulation final : public Simulation {
     lost_ = 0;
   }
   void take_steps(long long count, double t, double dt) override;
-  double go_by_events_towards(double t, long long /*most_events*/) override { return t; }
+  double go_by_events_towards(double t, long long most_events) override;
   bool is_finite() const override {
     return state_.position.allFinite() && state_.velocity.allFinite();
   }
@@ -97,7 +119,15 @@ class BallsSimulation final : public Simulation {
 
  private:
   void choose_scene(BallScene scene);
+  bool recall_reference(std::span<const double> numbers);
   void take_steps_of_many(long long count, double dt);
+
+  // The reference looks at all pairs at every event: a method for few balls.
+  using HighOrder = Reference<BallContacts, Eigen::Matrix3Xd>;
+  static constexpr std::size_t most_balls_of_reference = 1000;
+  static constexpr const char* why_not_so_many =
+      "the method reference looks at all pairs of balls, and takes at most 1000 balls";
+  HighOrder fresh_reference() const { return {{scene_, state_}, time(), state_, tolerance()}; }
 
   BallCollision scene_;
   SceneChoice choice_;
@@ -111,6 +141,7 @@ class BallsSimulation final : public Simulation {
 
   Balls state_;
   VelocityVerlet<Eigen::Matrix3Xd> verlet_;
+  std::optional<HighOrder> reference_;  // while it is the method
   bool keep_book_ = false;
   double energy_before_ = 0;
   double lost_ = 0;
@@ -342,8 +373,19 @@ inline void BallsSimulation::take_steps(long long count, double t, double dt) {
   }
 }
 
+inline double BallsSimulation::go_by_events_towards(double t, long long most_events) {
+  if (!reference_) throw NoClosedForm(time(), why_not_so_many);
+  // So many that one can be heard in between.
+  const auto pairs = static_cast<long long>(balls() * balls());
+  const long long most = std::max(1LL, most_events / (10 * pairs));
+  const double there = reference_->reach(t, most) ? t : reference_->piece_start();
+  state_ = reference_->at(there);
+  return there;
+}
+
 // ---- As plain numbers: how many balls, whether they came from a file, and the seed; masses,
-// radii, positions, velocities; the start of balls from a file; what velocity Verlet carries.
+// radii, positions, velocities; the start of balls from a file; what velocity Verlet or the
+// reference carries.
 
 inline std::vector<double> BallsSimulation::numbers() const {
   std::vector<double> all{static_cast<double>(balls()), own_balls_ ? 1.0 : 0.0,
@@ -360,6 +402,13 @@ inline std::vector<double> BallsSimulation::numbers() const {
     append(own_balls_->balls.velocity);
   }
   if (method() == Method::velocity_verlet && verlet_.acceleration) append(*verlet_.acceleration);
+  if (reference_) {
+    all.push_back(reference_->next_step());
+    all.push_back(reference_->piece_start());
+    append(reference_->state_at_piece_start().position);
+    append(reference_->state_at_piece_start().velocity);
+    for (const double phase : reference_->contacts().phases()) all.push_back(phase);
+  }
   return all;
 }
 
@@ -371,7 +420,8 @@ inline bool BallsSimulation::recall_numbers(const std::vector<double>& all) {
   const bool own = all[1] == 1;
   const std::size_t needed = 3 + count * (own ? 14 : 8);
   const bool carries = all.size() == needed + 3 * count && method() == Method::velocity_verlet;
-  if (all.size() != needed && !carries) return false;
+  const bool is_reference = method() == Method::reference;
+  if (is_reference ? all.size() < needed : all.size() != needed && !carries) return false;
 
   std::size_t next = 3;
   const auto take = [&](auto&& matrix) {
@@ -396,6 +446,22 @@ inline bool BallsSimulation::recall_numbers(const std::vector<double>& all) {
   }
   verlet_.acceleration.reset();
   if (carries) take(verlet_.acceleration.emplace(3, now.mass.size()));
+  return !is_reference || recall_reference(std::span(all).subspan(next));
+}
+
+/// The next step, the piece's start, the balls there, and who touches.
+inline bool BallsSimulation::recall_reference(std::span<const double> numbers) {
+  const auto in_matrix = static_cast<std::size_t>(state_.position.size());
+  if (numbers.size() < 2 + 2 * in_matrix || balls() > most_balls_of_reference) return false;
+  const double step = numbers[0], start = numbers[1];
+  if (!(step > 0 && start >= 0 && start <= time())) return false;
+  Balls balls = state_;
+  std::copy_n(numbers.begin() + 2, in_matrix, balls.position.data());
+  numbers = numbers.subspan(2 + in_matrix);
+  std::copy_n(numbers.begin(), in_matrix, balls.velocity.data());
+  BallContacts contacts(scene_, balls);
+  if (!contacts.recall_phases(numbers.subspan(in_matrix))) return false;
+  reference_.emplace(fresh_reference()).resume(contacts, start, balls, step);
   return true;
 }
 
