@@ -25,6 +25,13 @@
 namespace bounce::many {
 namespace {
 
+/// Asks for a ball that is needed soon: the processor goes on while it comes from memory.
+#if defined(__GNUC__)
+[[gnu::always_inline]] inline void ask_for(const BallRecord* ball) { __builtin_prefetch(ball); }
+#else
+inline void ask_for(const BallRecord*) {}
+#endif
+
 // ---- One lane: plain numbers
 
 template <class V>

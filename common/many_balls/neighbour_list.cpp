@@ -186,6 +186,7 @@ void NeighbourList::find_neighbours(const std::vector<BallRecord>& records, Shar
   }
   row_[(share.last + group - 1) / group + number] =
       static_cast<Slot>(share.neighbours.size() / group);
+  share.neighbours.insert(share.neighbours.end(), rows_ahead * group, nobody_slot);
 }
 
 /// The slots in the order of the numbers. For so few it is quicker to count for each how many come

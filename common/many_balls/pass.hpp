@@ -23,7 +23,7 @@ struct Pass {
   const BallRecord* from;
   BallRecord* to;
   // The neighbours of slot s stand in the rows row[s / 8] to row[s / 8 + 1] of `neighbours`, place
-  // s % 8 of each, in the order of their numbers.
+  // s % 8 of each, in the order of their numbers. After the last one there are `rows_ahead` more.
   const Slot* row;
   const Slot* neighbours;
   const int* number;               // of each slot

@@ -86,6 +86,8 @@ class Forces {
     if (row == end) return sum_;
     Seen now = look(row);
     for (row += group; row != end; row += group) {
+      const Slot* later = row + rows_ahead * group;
+      for (Slot n = 0; n < width<V>; ++n) ask_for(pass_.from + later[n]);
       const Seen next = look(row);
       add(now);
       now = next;
