@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -106,32 +107,34 @@ class BouncePhases {
 
   // ---- For methods that step but locate events (located_events.hpp)
 
-  /// The law of a phase, smooth across its end [m/s^2].
-  double acceleration(Phase phase, const State<double>& state) const {
+  /// The law of a phase, smooth across its end [m/s^2]. Nothing here depends on the time.
+  double acceleration(Phase phase, double /*t*/, const State<double>& state) const {
     if (phase != Phase::touch) return -gravity_;
     return oscillator_.acceleration(from_rest_height(state));
   }
 
-  /// What tells that a touch lasts: the overlap, or, for a contact that only pushes, its force.
-  Lasting touch_lasts(const State<double>& state) const {
-    const double overlap = radius_ - state.position, v = state.velocity;
-    if (after_touch() == Phase::flight) return {overlap, -v};
-    const double k = contact_.stiffness, c = contact_.damping;
-    return {k * overlap - c * v, -k * v - c * acceleration(Phase::touch, state)};
-  }
-  Phase after_touch() const {
+  /// What can come after a touch.
+  std::array<Phase, 1> after_touch() const {
     const bool slides = contact_.law == ContactLaw::slides || contact_.damping == 0;
-    return slides ? Phase::flight : Phase::let_go;
+    return {slides ? Phase::flight : Phase::let_go};
+  }
+  /// What tells that a touch does not yet give way to `next`: the overlap, or, for a contact that
+  /// only pushes, its force.
+  Lasting touch_lasts(Phase next, double t, const State<double>& state) const {
+    const double overlap = radius_ - state.position, v = state.velocity;
+    if (next == Phase::flight) return {overlap, -v};
+    const double k = contact_.stiffness, c = contact_.damping;
+    return {k * overlap - c * v, -k * v - c * acceleration(Phase::touch, t, state)};
   }
 
   /// The fastest that happens in a touch takes about this long [s].
   double time_scale() const { return 1 / (omega0_ + contact_.damping / mass_); }
 
-  /// A bound on the second derivative of that function, from a touch's start to its end. Overlap
-  /// and force are solutions x of the oscillator, plus a constant; v^2 + omega0^2 x^2 never grows.
-  double max_bend(const State<double>& start) const {
-    const State<double> x = from_rest_height(start);
-    return oscillator_.largest_acceleration(after_touch() == Phase::flight ? x : pull(x));
+  /// A bound on the second derivative of that function, from now to the touch's end. Overlap and
+  /// force are solutions x of the oscillator, plus a constant; v^2 + omega0^2 x^2 never grows.
+  double max_bend(Phase next, double /*t*/, const State<double>& state, double /*window*/) const {
+    const State<double> x = from_rest_height(state);
+    return oscillator_.largest_acceleration(next == Phase::flight ? x : pull(x));
   }
 
  private:

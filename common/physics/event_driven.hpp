@@ -15,6 +15,16 @@ struct TimeStandsStill : std::runtime_error {
   double t;
 };
 
+/// A phase that ends at `t` and is no longer than this [s] does not count as time going on.
+template <class Phases>
+double too_short(const Phases& phases, double t) {
+  const double rounding = 4 * std::numeric_limits<double>::epsilon() * t;
+  if constexpr (requires { phases.shortest_phase(); }) {
+    return std::max(rounding, phases.shortest_phase());
+  }
+  return rounding;
+}
+
 /// Walks from event to event (touch, lift-off). Within a phase the movement is a formula, so there
 /// is no time step, no step error, and the cost is per bounce, whatever the stiffness. What remains
 /// is rounding. `Phases` is a type like BouncePhases (closed_form.hpp); `Vector` as in state.hpp.
@@ -52,7 +62,7 @@ class EventDriven {
   const State<Vector>& state_at_last_event() const { return state_; }
 
   void pass_event() {
-    crowded_ = end_.after > too_short() ? 0 : crowded_ + 1;
+    crowded_ = end_.after > too_short(phases_, start_) ? 0 : crowded_ + 1;
     if (crowded_ > 1000) throw TimeStandsStill(start_);
     const State<Vector> arrived = arrival();
     start_ += end_.after;
@@ -74,13 +84,6 @@ class EventDriven {
  private:
   void begin_phase() {
     if constexpr (requires { phases_.begin(start_); }) phases_.begin(start_);
-  }
-  double too_short() const {
-    const double rounding = 4 * std::numeric_limits<double>::epsilon() * start_;
-    if constexpr (requires { phases_.shortest_phase(); }) {
-      return std::max(rounding, phases_.shortest_phase());
-    }
-    return rounding;
   }
   /// Where the current phase ends. Phases that know it from the search for the end have `arrive`.
   State<Vector> arrival() const {

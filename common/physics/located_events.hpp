@@ -2,8 +2,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <vector>
 
 #include "physics/closed_form.hpp"
+#include "physics/cubic.hpp"
 #include "physics/event_driven.hpp"
 #include "physics/state.hpp"
 
@@ -14,15 +17,18 @@ namespace bounce {
 /// bounces; without the cuts every method falls to order 1 at a damped touch.
 ///
 /// `Phases` is a type like BouncePhases (closed_form.hpp) which also tells, for each phase, a law
-///   Vector acceleration(Phase, const State<Vector>&)
-/// that is smooth across the phase's end, and, for a touch, the function whose sign tells that it
-/// lasts (`Lasting`). A flight is a parabola, and its end is known by formula.
+///   Vector acceleration(Phase, t, const State<Vector>&)
+/// that is smooth across the phase's end, and, for a touch, the functions whose signs tell that it
+/// lasts (`Lasting`), one for each phase that can come next. Times count from the phase's start. A
+/// flight is a parabola, and its end is known by formula, or by the search that `exact` uses.
 template <class Phases, class Vector>
 class LocatedEvents {
  public:
   LocatedEvents(const Phases& phases, double t, const State<Vector>& state)
-      : phases_(phases), start_(t), at_start_(state), phase_(phases_.phase_at(state)) {
-    begin_phase();
+      : phases_(phases), start_(t), at_start_(state) {
+    begin_at(t);
+    phase_ = phases_.phase_at(state);
+    find_end();
   }
 
   /// One step from `t` to `end` in as many pieces as there are phases in it. `step(law, t, state,
@@ -69,22 +75,29 @@ class LocatedEvents {
   double phase_start() const { return start_; }
   const State<Vector>& state_at_phase_start() const { return at_start_; }
   void resume(double t, const State<Vector>& state, Phase phase) {
-    start_ = t;
-    at_start_ = state;
-    phase_ = phase;
-    begin_phase();
+    begin_at(t);
+    begin_phase(state, phase);
   }
 
  private:
   // The law of one phase, in the form that a stepping method asks for.
   struct Law {
-    Vector acceleration(double /*t*/, const State<Vector>& state) const {
+    Vector acceleration(double t, const State<Vector>& state) const {
       ++evaluations;
-      return phases->acceleration(phase, state);
+      return phases->acceleration(phase, t - start, state);
     }
     const Phases* phases;
     Phase phase;
+    double start;  // of the phase [s]
     mutable long long evaluations;
+  };
+
+  // What a touch can give way to. It lasts while a function of time is positive, whose second
+  // derivative stays below a bound until then.
+  struct Watched {
+    Phase next;
+    double max_bend;
+    Look look;
   };
 
   /// Goes on to `end`, or to the next event before it; then it says true.
@@ -92,6 +105,7 @@ class LocatedEvents {
   bool take_piece(const Step& step, double& t, State<Vector>& state, double end) {
     law_.phases = &phases_;  // this object may have been copied
     law_.phase = phase_;
+    law_.start = start_;
     if (phase_ == Phase::touch) return touch_until(step, t, state, end);
     if (next_event() > end) {
       step(law_, t, state, end - t);
@@ -108,33 +122,27 @@ class LocatedEvents {
     double dt = end - t;
     int tiny_steps = 0;
     while (t < end) {
-      const Lasting before = phases_.touch_lasts(state);
       State<Vector> after = state;
       step(law_, t, after, dt);
-      // The bound of the touch's start serves most steps. That of the present moment is far below
-      // it once the ball has come to rest, and lets it rest in whole steps.
-      double max_bend = max_bend_;
-      bool is_certain = certain_to_last(before, after, dt, max_bend);
-      if (!is_certain) {
-        max_bend = std::min(max_bend, phases_.max_bend(state));
-        is_certain = certain_to_last(before, after, dt, max_bend);
+      const bool tiny = dt < 4 * std::numeric_limits<double>::epsilon() * end;
+      bool is_certain = true;
+      std::optional<Phase> next;
+      for (Watched& watched : watched_) {
+        watched.look = look_at(watched, t, state, after, dt, tiny);
+        is_certain = is_certain && watched.look != Look::unclear;
+        if (watched.look == Look::ends) next = watched.next;
       }
-      if (!is_certain) {
-        const Lasting now = phases_.touch_lasts(after);
-        // Where the function falls all the way, it has one zero. Else a smaller step tells more.
-        const bool falls = now.slope < -max_bend * dt;
-        const bool tiny = dt < 4 * std::numeric_limits<double>::epsilon() * end;
-        if (now.value <= 0 && (falls || tiny)) {
-          t += cut(step, t, state, dt);
-          pass_event(t, state, phases_.after_touch());
-          return true;
-        }
-        if (!tiny) {
-          dt /= 2;
-          continue;
-        }
-        if (++tiny_steps > 1000) throw TimeStandsStill(t);  // no number, or far too large ones
+      if (!is_certain && !tiny) {  // a smaller step tells more
+        dt /= 2;
+        continue;
       }
+      if (next) {
+        t += cut_at_first_end(step, t, state, dt, *next);
+        pass_event(t, state, *next);
+        return true;
+      }
+      // No number, or far too large ones?
+      if (!is_certain && ++tiny_steps > 1000) throw TimeStandsStill(t);
       state = after;
       t = dt == end - t ? end : t + dt;
       dt = end - t;
@@ -142,60 +150,105 @@ class LocatedEvents {
     return false;
   }
 
+  Look look_at(const Watched& watched, double t, const State<Vector>& state,
+               const State<Vector>& after, double dt, bool tiny) const {
+    const double since = t - start_;
+    const Lasting before = phases_.touch_lasts(watched.next, since, state);
+    const Lasting now = phases_.touch_lasts(watched.next, since + dt, after);
+    // The bound of the touch's start serves most steps. That of the present moment is far below it
+    // once the ball has come to rest, and lets it rest in whole steps.
+    double max_bend = watched.max_bend;
+    if (certain_to_last(before, now, dt, max_bend)) return Look::lasts;
+    max_bend = std::min(max_bend, phases_.max_bend(watched.next, since, state, dt));
+    if (certain_to_last(before, now, dt, max_bend)) return Look::lasts;
+    // Where the function falls all the way, it has one zero.
+    const bool falls = now.slope < -max_bend * dt;
+    return now.value <= 0 && (falls || tiny) ? Look::ends : Look::unclear;
+  }
+
   /// With |f''| <= B (`max_bend`), f stays above its parabola value + slope s - B s^2 / 2, which is
   /// positive between two moments at which it is; and f stays above its chord minus B dt^2 / 8.
-  bool certain_to_last(const Lasting& before, const State<Vector>& after, double dt,
-                       double max_bend) const {
+  static bool certain_to_last(const Lasting& before, const Lasting& after, double dt,
+                              double max_bend) {
     if (before.value + (before.slope - max_bend * dt / 2) * dt > 0) return true;
-    const double chord = std::min(before.value, phases_.touch_lasts(after).value);
-    return chord > max_bend * dt * dt / 8;
+    return std::min(before.value, after.value) > max_bend * dt * dt / 8;
+  }
+
+  /// Where several things end the touch within a step of `dt`, the first of them does: `next`.
+  template <class Step>
+  double cut_at_first_end(const Step& step, double t, State<Vector>& state, double dt,
+                          Phase& next) {
+    const State<Vector> before = state;
+    double first = never;
+    for (const Watched& watched : watched_) {
+      if (watched.look != Look::ends) continue;
+      State<Vector> after = before;
+      const double length = cut(step, t, after, dt, watched.next);
+      if (!(length < first)) continue;
+      first = length;
+      next = watched.next;
+      state = after;
+    }
+    return first;
   }
 
   /// Shortens a step of `dt`, over which the touch ends, until it ends there: Newton's method on
   /// the step's length. Moves the state and returns that length.
   template <class Step>
-  double cut(const Step& step, double t, State<Vector>& state, double dt) {
+  double cut(const Step& step, double t, State<Vector>& state, double dt, Phase next) {
     double low = 0, high = dt, length = dt;
     State<Vector> after = state;
     for (int i = 0; i < 60; ++i) {
       after = state;
       step(law_, t, after, length);
-      const Lasting now = phases_.touch_lasts(after);
+      const Lasting now = phases_.touch_lasts(next, t - start_ + length, after);
       (now.value > 0 ? low : high) = length;
-      double next = length - now.value / now.slope;
-      if (!(low <= next && next <= high)) next = (low + high) / 2;
-      if (std::abs(next - length) <= std::numeric_limits<double>::epsilon() * (t + dt)) break;
-      length = next;
+      double better = length - now.value / now.slope;
+      if (!(low <= better && better <= high)) better = (low + high) / 2;
+      if (std::abs(better - length) <= std::numeric_limits<double>::epsilon() * (t + dt)) break;
+      length = better;
     }
     state = after;
     return length;
   }
 
   void pass_event(double t, State<Vector>& state, Phase next) {
-    const double rounding = 4 * std::numeric_limits<double>::epsilon() * t;
-    crowded_ = t - start_ > rounding ? 0 : crowded_ + 1;
+    crowded_ = t - start_ > too_short(phases_, t) ? 0 : crowded_ + 1;
     if (crowded_ > 1000) throw TimeStandsStill(t);
+    begin_at(t);
     state = phases_.at_event(phase_, next, state);
-    resume(t, state, next);
+    begin_phase(state, next);
   }
 
-  void begin_phase() {
-    if (phase_ == Phase::touch) {
-      end_ = {0, phase_};
-      max_bend_ = phases_.max_bend(at_start_);
-    } else {
+  void begin_at(double t) {
+    start_ = t;
+    if constexpr (requires { phases_.begin(t); }) phases_.begin(t);
+  }
+  void begin_phase(const State<Vector>& state, Phase phase) {
+    at_start_ = state;
+    phase_ = phase;
+    find_end();
+  }
+  void find_end() {
+    if (phase_ != Phase::touch) {
       end_ = phases_.end_of(phase_, at_start_);
+      return;
+    }
+    end_ = {0, phase_};
+    watched_.clear();
+    for (const Phase next : phases_.after_touch()) {
+      watched_.push_back({next, phases_.max_bend(next, 0, at_start_, never), Look::lasts});
     }
   }
 
   Phases phases_;
   double start_;  // when the current phase began
   State<Vector> at_start_;
-  Phase phase_;
+  Phase phase_{};
   PhaseEnd end_{};
-  double max_bend_ = 0;  // bounds the second derivative of what tells that a touch lasts
-  int crowded_ = 0;      // events in a row that did not advance time
-  Law law_{&phases_, phase_, 0};
+  std::vector<Watched> watched_;  // in a touch
+  int crowded_ = 0;               // events in a row that did not advance time
+  Law law_{&phases_, phase_, 0, 0};
 };
 
 }  // namespace bounce

@@ -1,6 +1,4 @@
 #pragma once
-#include <array>
-
 #include "physics/closed_form.hpp"
 #include "physics/state.hpp"
 
@@ -11,13 +9,23 @@ namespace bounce {
 template <class Phases, class Vector>
 class OneBall {
  public:
-  struct Watch {};  // one thing can happen: the touch ends
+  using Watch = Phase;  // what can come after a touch
 
   OneBall(const Phases& phases, Phase phase) : phases_(phases), phase_(phase) {}
-  OneBall(const Phases& phases, const State<Vector>& state)
-      : OneBall(phases, Phases(phases).phase_at(state)) {}
+  OneBall(const Phases& phases, double t, const State<Vector>& state) : OneBall(phases, {}) {
+    begin(t);
+    phase_ = phases_.phase_at(state);
+  }
 
   Phase phase() const { return phase_; }
+
+  void begin(double t) {
+    if constexpr (requires { phases_.begin(t); }) phases_.begin(t);
+  }
+  double shortest_phase() const {
+    if constexpr (requires { phases_.shortest_phase(); }) return phases_.shortest_phase();
+    return 0;
+  }
 
   bool in_flight() const { return phase_ != Phase::touch; }
   double flight_time(double /*t*/, const State<Vector>& state) {
@@ -27,26 +35,25 @@ class OneBall {
   State<Vector> fly(const State<Vector>& state, double t) const {
     return phases_.move(phase_, state, t);
   }
-  void land(double /*t*/, State<Vector>& state) { change_to(end_.next, state); }
+  void land(double t, State<Vector>& state) { pass(end_.next, t, state); }
 
-  Vector acceleration(double /*t*/, const State<Vector>& state) const {
-    return phases_.acceleration(Phase::touch, state);
+  Vector acceleration(double t, const State<Vector>& state) const {
+    return phases_.acceleration(Phase::touch, t, state);
   }
-  std::array<Watch, 1> watches(const State<Vector>&, double) const { return {}; }
-  Lasting lasts(Watch, double /*t*/, const State<Vector>& state, const Vector&) const {
-    return phases_.touch_lasts(state);
+  auto watches(const State<Vector>&, double) const { return phases_.after_touch(); }
+  Lasting lasts(Watch next, double t, const State<Vector>& state, const Vector&) const {
+    return phases_.touch_lasts(next, t, state);
   }
   double rounding(Watch, const State<Vector>&) const { return 0; }
   bool resolves(const State<Vector>&, const State<Vector>&, double) const { return true; }
-  void pass(Watch, double /*t*/, State<Vector>& state) { change_to(phases_.after_touch(), state); }
-  double time_scale() const { return phases_.time_scale(); }
-
- private:
-  void change_to(Phase next, State<Vector>& state) {
+  void pass(Watch next, double t, State<Vector>& state) {
+    begin(t);
     state = phases_.at_event(phase_, next, state);
     phase_ = next;
   }
+  double time_scale() const { return phases_.time_scale(); }
 
+ private:
   Phases phases_;
   Phase phase_;
   PhaseEnd end_{};

@@ -24,15 +24,17 @@ namespace bounce {
 ///   double flight_time(t, state)            until a flight ends [s], or `never`
 ///   State fly(state, t)
 ///   void land(t, state)                     passes the end of that flight
-///   Vector acceleration(t, state)           the law of the contacts that are now, smooth across
-///                                           their ends [m/s^2]
+///   void begin(t)                           a piece begins. (Only where the law knows the time)
+///   Vector acceleration(s, state)           s after a piece began: the law of the contacts that
+///                                           are now, smooth across their ends [m/s^2]
 ///   watches(state, h)                       what can happen within `h` seconds: a list of `Watch`
-///   Lasting lasts(watch, t, state, acceleration)   positive until that happens
+///   Lasting lasts(watch, s, state, acceleration)   positive until that happens
 ///   double rounding(watch, state)           by how much that value may be off
 ///   bool resolves(before, after, h)         a step is short enough that this list is complete, and
 ///                                           that nothing begins and ends within it
 ///   void pass(watch, t, state)              it happens
 ///   double time_scale()                     of the fastest contact [s]: for the first step
+///   double shortest_phase()                 see too_short() in event_driven.hpp; optional
 template <class Contacts, class Vector>
 class Reference {
  public:
@@ -41,7 +43,10 @@ class Reference {
         tolerance_(tolerance),
         t_(t),
         state_(state),
-        step_(contacts.time_scale()) {}
+        step_(contacts.time_scale()),
+        last_event_(t) {
+    begin_piece();
+  }
 
   /// Goes on to the last event or step before `t`, over at most so many. Returns whether it got
   /// there.
@@ -57,8 +62,8 @@ class Reference {
   State<Vector> at(double t) {
     if (t == t_) return state_;
     if (contacts_.in_flight()) return contacts_.fly(state_, t - t_);
-    method_.start_at(contacts_, t_, state_);
-    return method_.step(contacts_, t_, t - t_);
+    method_.start_at(contacts_, 0, state_);
+    return method_.step(contacts_, 0, t - t_);
   }
 
   /// When the next event comes [s]; where none is near, how far it looked.
@@ -86,7 +91,8 @@ class Reference {
     t_ = t;
     state_ = state;
     step_ = step;
-    next_.reset();
+    last_event_ = t;
+    begin_piece();
   }
 
  private:
@@ -106,6 +112,7 @@ class Reference {
 
   void pass_piece() {
     const double before = t_;
+    const bool is_event = next_->is_event;
     t_ = next_->end;
     step_ = next_->step_after;
     if (contacts_.in_flight()) {
@@ -115,11 +122,22 @@ class Reference {
       state_ = after_;
       if (next_->what) contacts_.pass(*next_->what, t_, state_);
     }
-    const double rounding = 4 * std::numeric_limits<double>::epsilon() * t_;
-    crowded_ = t_ - before > rounding ? 0 : crowded_ + 1;
+    const bool advances = t_ - before > shortest_step();
+    const bool goes_on = advances && t_ - last_event_ > too_short(contacts_, t_);
+    if (goes_on) {
+      crowded_ = 0;
+    } else if (is_event || !advances) {
+      ++crowded_;
+    }
+    if (is_event) last_event_ = t_;
     if (crowded_ > 1000 + 10 * static_cast<long long>(watched_.size())) throw TimeStandsStill(t_);
-    next_.reset();
+    begin_piece();
     ++pieces_;
+  }
+
+  void begin_piece() {
+    if constexpr (requires { contacts_.begin(t_); }) contacts_.begin(t_);
+    next_.reset();
   }
 
   Piece flight() {
@@ -137,10 +155,10 @@ class Reference {
   };
 
   Piece contact() {
-    method_.start_at(contacts_, t_, state_);
+    method_.start_at(contacts_, 0, state_);
     watched_.clear();
     for (const Watch& what : contacts_.watches(state_, step_)) {
-      Lasting before = contacts_.lasts(what, t_, state_, method_.acceleration_at_start());
+      Lasting before = contacts_.lasts(what, 0, state_, method_.acceleration_at_start());
       const double rounding = contacts_.rounding(what, state_);
       if (before.value <= -rounding && before.slope < 0) {  // together with the event before
         after_ = state_;
@@ -163,7 +181,7 @@ class Reference {
     double h = step_;
     bool shortened = false;
     while (true) {
-      after_ = method_.step(contacts_, t_, h);
+      after_ = method_.step(contacts_, 0, h);
       const double error = method_.error(h, tolerance_);
       step_after_ = error > 0 ? DormandPrince<Vector>::better_step(h, error) : 6 * h;
       if (error <= 1) break;
@@ -188,7 +206,7 @@ class Reference {
       bool unclear = !contacts_.resolves(state_, after_, h);
       for (Watched& watched : watched_) {
         if (&watched == event) continue;
-        const Lasting now = contacts_.lasts(watched.what, t_ + h, after_, acceleration);
+        const Lasting now = contacts_.lasts(watched.what, h, after_, acceleration);
         watched.look = look(watched.before, now, h, contacts_.rounding(watched.what, after_));
         unclear = unclear || watched.look == Look::unclear;
         if (watched.look == Look::ends && !ends) ends = &watched;
@@ -197,7 +215,7 @@ class Reference {
         step_after_ = std::min(step_after_, h);
         h /= 2;
         event = nullptr;
-        after_ = method_.step(contacts_, t_, h);
+        after_ = method_.step(contacts_, 0, h);
         continue;
       }
       if (!ends) return event;
@@ -209,17 +227,17 @@ class Reference {
     }
   }
 
-  Vector acceleration_after(double h) { return contacts_.acceleration(t_ + h, after_); }
+  Vector acceleration_after(double h) { return contacts_.acceleration(h, after_); }
 
   /// Newton's method on the length of the step: it ends where `watched` does. Returns the length.
   double cut(const Watched& watched, double h) {
-    const Lasting end = contacts_.lasts(watched.what, t_ + h, after_, acceleration_after(h));
+    const Lasting end = contacts_.lasts(watched.what, h, after_, acceleration_after(h));
     double low = 0, high = h;
     double length = Cubic(watched.before, end, h).zero();
     for (int i = 0; i < 60; ++i) {
-      after_ = method_.step(contacts_, t_, length);
+      after_ = method_.step(contacts_, 0, length);
       const Vector acceleration = acceleration_after(length);
-      const Lasting now = contacts_.lasts(watched.what, t_ + length, after_, acceleration);
+      const Lasting now = contacts_.lasts(watched.what, length, after_, acceleration);
       (now.value > 0 ? low : high) = length;
       double next = (low + high) / 2;
       if (now.slope < 0) {
@@ -244,6 +262,7 @@ class Reference {
   State<Vector> state_;
   double step_;  // s: what the error control proposes for the next step
   long long pieces_ = 0;
+  double last_event_;      // s
   long long crowded_ = 0;  // events in a row that did not advance time
 
   // The piece from there, once it is known

@@ -268,9 +268,7 @@ class SceneSimulation final : public Simulation {
   static constexpr bool floor_moves = requires(const Scene& scene) { scene.floor_height(0.0); };
 
   // Does the closed form also tell what located events need?
-  static constexpr bool locates_events = requires(const Exact& exact, const State<Vector>& state) {
-    exact.touch_lasts(state);
-  };
+  static constexpr bool locates_events = requires(const Exact& exact) { exact.after_touch(); };
   struct NoLocatedEvents {
     NoLocatedEvents(const Exact&, double, const State<Vector>&) {}
   };
@@ -278,7 +276,7 @@ class SceneSimulation final : public Simulation {
   struct NoReference {};
   using HighOrder = Reference<OneBall<Exact, Vector>, Vector>;
   HighOrder fresh_reference() const {
-    return {{Exact(scene_), state_}, time(), state_, tolerance()};
+    return {{Exact(scene_), time(), state_}, time(), state_, tolerance()};
   }
   bool is_located() const {
     return method() == Method::rk4_events || method() == Method::flight_rk4;

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <array>
 
 #include "physics/closed_form.hpp"
 #include "three_dimensions.hpp"
@@ -34,16 +35,16 @@ struct ThreeDimensionsExact {
   }
 
   // For methods that step but locate events
-  Eigen::Vector3d acceleration(Phase phase, const State<Eigen::Vector3d>& state) const {
-    return {0, upwards.acceleration(phase, along_y(state)), 0};
+  Eigen::Vector3d acceleration(Phase phase, double t, const State<Eigen::Vector3d>& state) const {
+    return {0, upwards.acceleration(phase, t, along_y(state)), 0};
   }
-  Lasting touch_lasts(const State<Eigen::Vector3d>& state) const {
-    return upwards.touch_lasts(along_y(state));
+  Lasting touch_lasts(Phase next, double t, const State<Eigen::Vector3d>& state) const {
+    return upwards.touch_lasts(next, t, along_y(state));
   }
-  Phase after_touch() const { return upwards.after_touch(); }
+  std::array<Phase, 1> after_touch() const { return upwards.after_touch(); }
   double time_scale() const { return upwards.time_scale(); }
-  double max_bend(const State<Eigen::Vector3d>& start) const {
-    return upwards.max_bend(along_y(start));
+  double max_bend(Phase next, double t, const State<Eigen::Vector3d>& state, double window) const {
+    return upwards.max_bend(next, t, along_y(state), window);
   }
 
  private:

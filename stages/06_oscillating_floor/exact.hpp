@@ -3,6 +3,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <span>
 
 #include "forced_oscillator.hpp"
 #include "oscillating_floor.hpp"
@@ -72,6 +73,25 @@ class OscillatingFloorExact {
   /// shorter than this, stop the run.
   double shortest_phase() const { return 1e-3 / std::max(omega0_, w_); }
 
+  // ---- For methods that step but locate events (located_events.hpp)
+
+  /// The law of a phase, smooth across its end [m/s^2].
+  double acceleration(Phase phase, double t, const State<double>& state) const {
+    return phase == Phase::touch ? acceleration_in_touch(floor_at(t), state) : -scene_.gravity;
+  }
+  /// What can come after a touch. A contact that only pushes and knows the floor's speed lets go
+  /// before it opens.
+  std::span<const Phase> after_touch() const {
+    static constexpr Phase all[] = {Phase::flight, Phase::let_go};
+    return std::span(all).subspan(clamped_ && relative_ ? 1 : 0, clamped_ && !relative_ ? 2 : 1);
+  }
+  /// What tells that a touch does not yet give way to `next`: the overlap, or the force.
+  Lasting touch_lasts(Phase next, double t, const State<double>& state) const;
+  /// A bound on that function's second derivative for the next `window` seconds.
+  double max_bend(Phase next, double t, const State<double>& state, double window) const;
+  /// The fastest that happens in a touch takes about this long [s].
+  double time_scale() const { return 1 / (omega0_ + 2 * beta_ + w_); }
+
  private:
   /// The floor's height [m] and its first three derivatives.
   struct Floor {
@@ -98,9 +118,20 @@ class OscillatingFloorExact {
            scene_.damping * damped;
   }
 
+  double acceleration_in_touch(const Floor& floor, const State<double>& state) const {
+    return push(floor, state) / scene_.mass - scene_.gravity;
+  }
+  /// Its rate [m/s^3].
+  double jerk_in_touch(const Floor& floor, const State<double>& state, double a) const {
+    return (scene_.stiffness * (floor.speed - state.velocity) -
+            scene_.damping * (a - (relative_ ? floor.acceleration : 0))) /
+           scene_.mass;
+  }
+
   Glimpse gap_in_flight(const State<double>& start, double t) const;
   Glimpse push_in_flight(const State<double>& start, double t) const;
   struct Touch;  // what gap and push need to know of the movement in contact
+  Touch touch_at(double t, const State<double>& ball, Complex turned, double window) const;
   Touch touch_at(const State<double>& start, double t) const;
   Glimpse overlap_in_touch(const State<double>& start, double t) const;
   Glimpse push_in_touch(const State<double>& start, double t) const;
@@ -229,19 +260,24 @@ inline double OscillatingFloorExact::free_acceleration(const State<double>& free
 
 inline OscillatingFloorExact::Touch OscillatingFloorExact::touch_at(const State<double>& start,
                                                                     double t) const {
-  const double k = scene_.stiffness, c = scene_.damping, m = scene_.mass;
   const Complex turned = turn(t);
+  return touch_at(t, ball_in_touch(start, t, turned), turned, 1 / omega0_);
+}
+
+/// With the ball as it is at `t`, and bounds for at least `window` seconds.
+inline OscillatingFloorExact::Touch OscillatingFloorExact::touch_at(double t,
+                                                                    const State<double>& ball,
+                                                                    Complex turned,
+                                                                    double window) const {
   Touch now;
   now.floor = floor_at(t, turned);
-  now.ball = ball_in_touch(start, t, turned);
-  now.acceleration = push(now.floor, now.ball) / m - scene_.gravity;
-  now.jerk = (k * (now.floor.speed - now.ball.velocity) -
-              c * (now.acceleration - (relative_ ? now.floor.acceleration : 0))) /
-             m;
+  now.ball = ball;
+  now.acceleration = acceleration_in_touch(now.floor, ball);
+  now.jerk = jerk_in_touch(now.floor, ball, now.acceleration);
   // a'' = shaking - 2 beta a' - omega0^2 a gives the bounds of the higher derivatives.
   const double fast = omega0_ * (2 * beta_ + omega0_);
   const double faster = 2 * beta_ * fast + omega0_ * omega0_ * omega0_;
-  const double shaking = w_ * w_ * shaking_size_, window = 1 / omega0_;
+  const double shaking = w_ * w_ * shaking_size_;
   const double a = now.acceleration, b = now.jerk / omega0_;
   const double grown = std::sqrt(a * a + b * b) + shaking * window / omega0_;
 
@@ -287,6 +323,23 @@ inline Glimpse OscillatingFloorExact::push_in_touch(const State<double>& start, 
           m * now.max[2],
           m * now.max[3],
           now.window};
+}
+
+inline Lasting OscillatingFloorExact::touch_lasts(Phase next, double t,
+                                                  const State<double>& state) const {
+  const Floor floor = floor_at(t);
+  if (next == Phase::flight) {
+    return {-gap(floor, state), (switched_ ? 0 : floor.speed) - state.velocity};
+  }
+  const double a = acceleration_in_touch(floor, state);
+  return {push(floor, state), scene_.mass * jerk_in_touch(floor, state, a)};
+}
+
+inline double OscillatingFloorExact::max_bend(Phase next, double t, const State<double>& state,
+                                              double window) const {
+  const Touch now = touch_at(t, state, turn(t), window);
+  if (next == Phase::let_go) return scene_.mass * now.max[2];
+  return now.max[0] + (switched_ ? 0 : scene_.amplitude * w_ * w_);
 }
 
 /// Does the ball stay in contact for ever? When steady and free swing together cannot open the

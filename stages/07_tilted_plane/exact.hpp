@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <array>
 
 #include "physics/closed_form.hpp"
 #include "tilted_plane.hpp"
@@ -38,16 +39,16 @@ struct TiltedPlaneExact {
   }
 
   // For methods that step but locate events
-  Eigen::Vector3d acceleration(Phase phase, const State<Eigen::Vector3d>& state) const {
-    return downhill + along_normal.acceleration(phase, normal_part(state)) * plane.normal;
+  Eigen::Vector3d acceleration(Phase phase, double t, const State<Eigen::Vector3d>& state) const {
+    return downhill + along_normal.acceleration(phase, t, normal_part(state)) * plane.normal;
   }
-  Lasting touch_lasts(const State<Eigen::Vector3d>& state) const {
-    return along_normal.touch_lasts(normal_part(state));
+  Lasting touch_lasts(Phase next, double t, const State<Eigen::Vector3d>& state) const {
+    return along_normal.touch_lasts(next, t, normal_part(state));
   }
-  Phase after_touch() const { return along_normal.after_touch(); }
+  std::array<Phase, 1> after_touch() const { return along_normal.after_touch(); }
   double time_scale() const { return along_normal.time_scale(); }
-  double max_bend(const State<Eigen::Vector3d>& start) const {
-    return along_normal.max_bend(normal_part(start));
+  double max_bend(Phase next, double t, const State<Eigen::Vector3d>& state, double window) const {
+    return along_normal.max_bend(next, t, normal_part(state), window);
   }
 
  private:

@@ -134,19 +134,19 @@ TEST_CASE("the law of a phase is the scene's own law") {
     line.contact = law;
     const DampingExact exact(line);
     // Forces are of size 1e3: a few roundings.
-    CHECK(std::abs(exact.acceleration(exact.phase_at(y), y) - line.acceleration(0, y)) < 2e-12);
+    CHECK(std::abs(exact.acceleration(exact.phase_at(y), 0, y) - line.acceleration(0, y)) < 2e-12);
 
     const State<Eigen::Vector3d> p{{any(-1, 1), y.position, any(-1, 1)},
                                    {any(-1, 1), y.velocity, 0}};
     ThreeDimensions space;
     space.contact = law;
     const ThreeDimensionsExact in_space(space);
-    CHECK((in_space.acceleration(in_space.phase_at(p), p) - space.acceleration(0, p)).norm() <
+    CHECK((in_space.acceleration(in_space.phase_at(p), 0, p) - space.acceleration(0, p)).norm() <
           2e-12);
     TiltedPlane tilted;
     tilted.contact = law;
     const TiltedPlaneExact on_plane(tilted);
-    CHECK((on_plane.acceleration(on_plane.phase_at(p), p) - tilted.acceleration(0, p)).norm() <
+    CHECK((on_plane.acceleration(on_plane.phase_at(p), 0, p) - tilted.acceleration(0, p)).norm() <
           2e-11);
   }
 }
