@@ -119,6 +119,18 @@ inline void store_pair(double* member, const Lanes& first, const Lanes& second) 
   _mm_store_pd(member + 16, _mm256_extractf128_pd(even, 1));
   _mm_store_pd(member + 24, _mm256_extractf128_pd(odd, 1));
 }
+#elif defined(__SSE2__)
+inline void load_pair(const double* member, const Slot* slots, Lanes& first, Lanes& second) {
+  const __m128d a = _mm_load_pd(member + std::size_t{8} * slots[0]);
+  const __m128d b = _mm_load_pd(member + std::size_t{8} * slots[1]);
+  first = Lanes(_mm_unpacklo_pd(a, b));
+  second = Lanes(_mm_unpackhi_pd(a, b));
+}
+inline void store_pair(double* member, const Lanes& first, const Lanes& second) {
+  const __m128d a = static_cast<__m128d>(first), b = static_cast<__m128d>(second);
+  _mm_store_pd(member, _mm_unpacklo_pd(a, b));
+  _mm_store_pd(member + 8, _mm_unpackhi_pd(a, b));
+}
 #else
 inline void load_pair(const double* member, const Slot* slots, Lanes& first, Lanes& second) {
   first = Lanes([&](auto n) { return member[std::size_t{8} * slots[n]]; });

@@ -97,8 +97,6 @@ void ManyBalls::load(const Eigen::VectorXd& mass, const Eigen::VectorXd& radius,
     if (as_before) furthest = std::max(furthest, distance_squared);
     fastest = std::max(fastest, v.squaredNorm());
     ball = {p.x(), p.y(), p.z(), v.x(), v.y(), v.z(), mass[i], radius[i]};
-    next_[slot].mass = mass[i];
-    next_[slot].radius = radius[i];
   }
   moved_ += std::sqrt(furthest);
   fastest_ = std::sqrt(fastest);

@@ -35,7 +35,17 @@ void NeighbourList::build(std::vector<BallRecord>& records, std::vector<BallReco
   }
   choose_cells(records, skin);
   sort_by_cell(records, number);
-  order_alike(records, scratch, number);
+  const std::size_t windows = (count + window - 1) / window;
+  team.share_out(shares(), [&](int share) {
+    const auto begin_of = [&](std::size_t part) {
+      return std::min(count, windows * part / pieces * window);
+    };
+    const auto part = static_cast<std::size_t>(share);
+    order_alike(records, scratch, begin_of(part), begin_of(part + 1));
+  });
+  scratch.swap(records);
+  number.swap(new_number_);
+  length_.swap(new_length_);
   team.share_out(shares(), [&](int share) {
     find_neighbours(records, shares_[static_cast<std::size_t>(share)]);
   });
@@ -132,12 +142,12 @@ void NeighbourList::sort_by_cell(const std::vector<BallRecord>& records,
 /// Eight balls go through their lists side by side, and the longest list counts. So among a few
 /// dozen neighbours those with equally long lists are put together; how long they are is known from
 /// the last time.
-void NeighbourList::order_alike(std::vector<BallRecord>& records, std::vector<BallRecord>& scratch,
-                                std::vector<int>& number) {
-  const std::size_t count = places_.size();
+void NeighbourList::order_alike(const std::vector<BallRecord>& records,
+                                std::vector<BallRecord>& sorted, std::size_t first,
+                                std::size_t last) {
   std::array<std::uint16_t, 257> next;
-  for (std::size_t from = 0; from < count; from += window) {
-    const std::size_t to = std::min(count, from + window);
+  for (std::size_t from = first; from < last; from += window) {
+    const std::size_t to = std::min(last, from + window);
     next.fill(0);
     for (std::size_t i = from; i < to; ++i) ++next[length_[places_[i].slot] + std::size_t{1}];
     for (std::size_t length = 1; length < next.size(); ++length) next[length] += next[length - 1];
@@ -145,18 +155,11 @@ void NeighbourList::order_alike(std::vector<BallRecord>& records, std::vector<Ba
       Place& place = places_[i];
       const std::uint8_t length = length_[place.slot];
       const std::size_t slot = from + next[length]++;
-      scratch[slot] = records[place.slot];
+      sorted[slot] = records[place.slot];
       new_number_[slot] = place.number;
       new_length_[slot] = length;
       place.slot = static_cast<Slot>(slot);
     }
-  }
-  scratch.swap(records);
-  number.swap(new_number_);
-  length_.swap(new_length_);
-  for (std::size_t i = 0; i < count; ++i) {
-    scratch[i].mass = records[i].mass;
-    scratch[i].radius = records[i].radius;
   }
 }
 

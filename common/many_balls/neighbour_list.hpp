@@ -61,8 +61,8 @@ class NeighbourList {
   std::size_t index_of(const BallRecord& ball) const;
   void choose_cells(const std::vector<BallRecord>& records, double skin);
   void sort_by_cell(const std::vector<BallRecord>& records, const std::vector<int>& number);
-  void order_alike(std::vector<BallRecord>& records, std::vector<BallRecord>& scratch,
-                   std::vector<int>& number);
+  void order_alike(const std::vector<BallRecord>& records, std::vector<BallRecord>& sorted,
+                   std::size_t first, std::size_t last);
   void find_neighbours(const std::vector<BallRecord>& records, Share& share);
   static void sort_by_number(Neighbour* near, std::size_t count, Slot* sorted);
   std::size_t find_candidates(const BallRecord& ball, Share& share) const;

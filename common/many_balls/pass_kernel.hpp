@@ -184,6 +184,7 @@ inline V move(const Pass& pass, Slot first) {
   store_pair(out, p.x, p.y);
   store_pair(out + 2, p.z, v.x);
   store_pair(out + 4, v.y, v.z);
+  store_pair(out + 6, mass, r);
   return v.x * v.x + (v.y * v.y + v.z * v.z);
 }
 

@@ -1,5 +1,5 @@
 // Stage 5 with many balls: what a step costs a ball, from the double loop to threads.
-// usage: many_balls_speed measure   runs everything (two minutes), writes the CSV and the figure
+// usage: many_balls_speed measure   runs everything (four minutes), writes the CSV and the figure
 //        many_balls_speed figure    draws the figure again from the CSV
 //        many_balls_speed steps     a table of lesson 5: each step and what it brings
 //        many_balls_speed scaling   a table of lesson 5: all methods, all numbers of balls
@@ -56,21 +56,24 @@ struct Results {
 };
 
 const std::vector<std::string> methods{
-    "all pairs",        "grid", "list", "list, vector units", "list, vector units, 2 threads",
-    "LAMMPS gran/hooke"};
+    "all pairs",         "grid",      "list", "list, vector units", "list, vector units, 2 threads",
+    "LAMMPS gran/hooke", "list, SSE2"};
 const std::vector<long> sizes{100, 1000, 10000, 100000, 1000000};
+
+std::string text(const char* format, double value) {
+  char buffer[40];
+  std::snprintf(buffer, sizeof buffer, format, value);
+  return buffer;
+}
 
 // ---- Measuring ----------------------------------------------------------------------------------
 
-/// Balls that lie in a heap, 5 to 6 contacts each: a drop 1.5 s later, 2 s for 100,000. A million
-/// start as a lattice of balls that overlap by 2 mm, which saves the wait.
+/// Balls that lie in a heap: a drop at 35 % filling 1.5 s later, 2 s from 100,000 on (a minute's
+/// work for a million).
 test::Crowd heap(long count) {
   const int balls = static_cast<int>(count);
   const std::array<double, 2> tray{tray_for(balls), tray_for(balls)};
-  const bool is_pressed = count > 100000;
-  test::Crowd crowd =
-      test::crowd_of(drop(balls, is_pressed ? -0.002 : 0.0143, tray, 1), 1e5, 100, tray);
-  if (is_pressed) return crowd;
+  test::Crowd crowd = test::crowd_of(drop(balls, 0.0143, tray, 1), 1e5, 100, tray);
   const double step = count < 100000 ? dt : 5 * dt, duration = count < 100000 ? 1.5 : 2;
   many::ManyBalls fast;
   Eigen::Matrix3Xd acceleration;
@@ -125,8 +128,7 @@ Subject fast(const std::string& method, const test::Crowd& start, many::PassFunc
   return {method, run, [kept] { return static_cast<double>(kept->balls.bytes()); }};
 }
 
-std::vector<Subject> subjects(long count) {
-  const test::Crowd crowd = heap(count);
+std::vector<Subject> subjects(long count, const test::Crowd& crowd) {
   std::vector<Subject> all;
   if (count <= 10000) all.push_back(plain(methods[0], crowd, 1 << 30));
   if (count <= 100000) all.push_back(plain(methods[1], crowd, 0));
@@ -137,6 +139,9 @@ std::vector<Subject> subjects(long count) {
     all.push_back(
         {methods[5], [crowd](long steps) { return test::run_lammps(crowd, steps, dt)->seconds; }});
   }
+#if BOUNCE_WIDER_PASSES && !defined(__AVX__)  // else it is one of the above
+  all.push_back(fast(methods[6], crowd, many::pass_vector, 1));
+#endif
   return all;
 }
 
@@ -144,7 +149,8 @@ std::vector<Subject> subjects(long count) {
 /// alike.
 void measure_size(long count, Results& results) {
   std::fprintf(stderr, "many_balls: %ld balls\n", count);
-  std::vector<Subject> all = subjects(count);
+  const test::Crowd crowd = heap(count);
+  std::vector<Subject> all = subjects(count, crowd);
   for (Subject& subject : all) subject.first = subject.seconds(2) / 2;
   const int rounds = count > 100000 ? 3 : 5;
   for (int round = 0; round < rounds; ++round) {
@@ -158,6 +164,9 @@ void measure_size(long count, Results& results) {
     results.rows.push_back({subject.method, count, per_ball(report::median(subject.times)) * 1e9,
                             per_ball(subject.bytes())});
   }
+  std::string& contacts =
+      results.about.emplace_back("contacts a ball, of " + std::to_string(count));
+  contacts += ": " + text("%.1f", 2.0 * test::contacts(crowd) / static_cast<double>(count));
 }
 
 std::string processor() {
@@ -224,7 +233,8 @@ Results from_csv(const std::string& text) {
 
 void draw_figure(const std::string& csv) {
   const Results results = from_csv(csv);
-  const char* const colours[] = {"#d55e00", "#e69f00", "#0072b2", "#009e73", "#000000", "#999999"};
+  const char* const colours[] = {"#d55e00", "#e69f00", "#0072b2", "#009e73",
+                                 "#000000", "#999999", "#56b4e9"};
   std::ostringstream script;
   script << "set terminal svg size 760,520 font 'DejaVu Sans,13' background '#ffffff'\n"
          << "set output '" << root + figure_file << "'\nset logscale xy\n"
@@ -252,12 +262,6 @@ void draw_figure(const std::string& csv) {
   std::ofstream(root + figure_file, std::ios::app)
       << "<!-- drawn from " << csv_file << " with fingerprint " << report::fingerprint(csv)
       << " -->\n";
-}
-
-std::string text(const char* format, double value) {
-  char buffer[40];
-  std::snprintf(buffer, sizeof buffer, format, value);
-  return buffer;
 }
 
 std::string nanoseconds(double value) {
@@ -292,6 +296,11 @@ void print_scaling(const Results& results) {
   for (const long balls : sizes) {
     const double lammps = results.ns(methods[5], balls), ours = results.ns(methods[3], balls);
     std::printf(" %s |", lammps > 0 ? (text("%.1f", lammps / ours) + " times").c_str() : "-");
+  }
+  std::printf("\n| list, vector units, against 1000 balls |");
+  for (const long balls : sizes) {
+    std::printf(" %s times |",
+                text("%.1f", results.ns(methods[3], balls) / results.ns(methods[3], 1000)).c_str());
   }
   std::printf("\n| memory of the fast path, bytes a ball |");
   for (const long balls : sizes) {
