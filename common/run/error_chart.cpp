@@ -72,8 +72,9 @@ void ErrorChart::start_anew(const Simulation& simulation) {
   try {
     duration_ = without_bounces;
     const std::unique_ptr<Simulation> first = start_->clone();
-    if (offers_exact()) {
-      first->use_method(Method::exact);
+    const Method by_events = offers_exact() ? Method::exact : Method::reference;
+    if (offers(by_events)) {
+      first->use_method(by_events);
       first->restart();
       const double touch = first->next_event();
       if (std::isfinite(touch)) duration_ = std::clamp(bounces * touch, 1e-9, longest_run);
@@ -86,10 +87,10 @@ void ErrorChart::start_anew(const Simulation& simulation) {
   trouble_ = "There is no exact solution to compare with.";
 }
 
-bool ErrorChart::offers_exact() const {
+bool ErrorChart::offers(Method method) const {
   if (!start_) return false;
   const std::vector<Method> all = start_->methods();
-  return std::find(all.begin(), all.end(), Method::exact) != all.end();
+  return std::find(all.begin(), all.end(), method) != all.end();
 }
 
 /// Coarse steps of all methods first: they are quick, and the picture fills.

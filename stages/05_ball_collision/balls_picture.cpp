@@ -140,6 +140,18 @@ void draw_futures(Canvas& canvas, const Camera& camera, const std::vector<TraceP
   }
 }
 
+/// Where the exact solution has the balls: pale rings.
+void draw_ghosts(Canvas& canvas, const Camera& camera, const BallCollision& scene,
+                 const std::vector<double>& exact) {
+  for (std::size_t ball = 0; 7 * ball < exact.size(); ++ball) {
+    const Vector3d at = position(exact, ball);
+    if (!camera.sees(at)) continue;
+    const double radius = scene.radius[static_cast<Eigen::Index>(ball)];
+    const auto size = static_cast<float>(radius * camera.per_metre(at));
+    draw_dashed_circle(canvas, camera.at(at), std::max(3.0f, size), palette::exact, 1.5f);
+  }
+}
+
 /// Velocities, and while balls touch, the force on each of a pair.
 void draw_arrows(Canvas& canvas, const Camera& camera, const BallCollision& scene,
                  const std::vector<double>& rows, std::size_t balls) {
@@ -267,6 +279,9 @@ void draw_balls(Canvas& canvas, const Camera& camera, const Player& player, cons
   const double fast = std::sqrt(2 * std::max(std::abs(simulation.energy_before()), 1e-12) / mass);
   for (auto ball = seen.rbegin(); ball != seen.rend(); ++ball) {
     canvas.ball(ball->centre, ball->radius, colour_of(ball->speed, fast));
+  }
+  if (view.ghost) {
+    draw_ghosts(canvas, camera, scene, simulation.exact_values(player.shown_time()));
   }
   if (count <= very_few) {
     if (view.forces) draw_arrows(canvas, camera, scene, rows, count);

@@ -6,12 +6,11 @@
 #include <vector>
 
 #include "ball_collision.hpp"
-#include "ball_contacts.hpp"
+#include "ball_truth.hpp"
 #include "many_balls/lammps_import.hpp"
 #include "many_balls/many_balls.hpp"
 #include "physics/event_driven.hpp"
 #include "physics/integrators.hpp"
-#include "physics/reference.hpp"
 #include "physics/stability.hpp"
 #include "run/options.hpp"
 #include "run/simulation.hpp"
@@ -68,7 +67,7 @@ class BallsSimulation final : public Simulation {
     return {"ball", "x", "y", "z", "vx", "vy", "vz"};
   }
   std::size_t balls() const override { return static_cast<std::size_t>(scene_.mass.size()); }
-  std::vector<double> values() const override;
+  std::vector<double> values() const override { return rows_of(state_); }
   std::string stage_options() const override;
   std::optional<ContactNumbers> contact() const override;
 
@@ -77,9 +76,7 @@ class BallsSimulation final : public Simulation {
   void parameters_changed() override {
     verlet_.acceleration.reset();
     reference_.reset();
-    // A scene that was just chosen has no balls before the restart.
-    const bool has_balls = scene_.mass.size() == state_.position.cols();
-    if (method() == Method::reference && has_balls && balls() <= most_balls_of_reference) {
+    if (method() == Method::reference && has_balls() && balls() <= most_balls_of_reference) {
       reference_.emplace(fresh_reference());
     }
     compare_from_here();
@@ -94,10 +91,22 @@ class BallsSimulation final : public Simulation {
     return reference_ ? energy_before_ - energy().total() : lost_;
   }
 
-  // There is no formula for many balls.
-  std::vector<double> exact_values(double /*t*/) const override { return {}; }
-  std::optional<StateError> error() const override { return std::nullopt; }
-  std::optional<double> exact_energy() const override { return std::nullopt; }
+  // There is no formula for many balls, but for a few there is the reference.
+  std::vector<double> exact_values(double t) const override {
+    const std::optional<Balls> exact = truth_.at(t);
+    return exact ? rows_of(*exact) : std::vector<double>{};
+  }
+  std::optional<StateError> error() const override {  // of the ball that is off most
+    const std::optional<Balls> exact = truth_.at(time());
+    if (!exact) return std::nullopt;
+    return StateError{(state_.position - exact->position).colwise().norm().maxCoeff(),
+                      (state_.velocity - exact->velocity).colwise().norm().maxCoeff()};
+  }
+  std::optional<double> exact_energy() const override {
+    const std::optional<Balls> exact = truth_.at(time());
+    if (!exact) return std::nullopt;
+    return scene_.energy(*exact).total();
+  }
   double next_event() const override { return reference_ ? reference_->next_event() : never; }
   long long counted_force_evaluations() const override {
     return reference_ ? reference_->force_evaluations() : 0;
@@ -106,6 +115,7 @@ class BallsSimulation final : public Simulation {
  protected:
   void reset_state() override;
   void compare_from_here() override {
+    if (has_balls()) truth_ = BallTruth(scene_, time(), state_);
     energy_before_ = energy().total();
     lost_ = 0;
   }
@@ -119,15 +129,17 @@ class BallsSimulation final : public Simulation {
 
  private:
   void choose_scene(BallScene scene);
+  // A scene that was just chosen has no balls before the restart.
+  bool has_balls() const { return scene_.mass.size() == state_.position.cols(); }
+  std::vector<double> rows_of(const Balls& at) const;
   bool recall_reference(std::span<const double> numbers);
   void take_steps_of_many(long long count, double dt);
 
   // The reference looks at all pairs at every event: a method for few balls.
-  using HighOrder = Reference<BallContacts, Eigen::Matrix3Xd>;
   static constexpr std::size_t most_balls_of_reference = 1000;
   static constexpr const char* why_not_so_many =
       "the method reference looks at all pairs of balls, and takes at most 1000 balls";
-  HighOrder fresh_reference() const { return {{scene_, state_}, time(), state_, tolerance()}; }
+  BallReference fresh_reference() const { return {{scene_, state_}, time(), state_, tolerance()}; }
 
   BallCollision scene_;
   SceneChoice choice_;
@@ -141,7 +153,8 @@ class BallsSimulation final : public Simulation {
 
   Balls state_;
   VelocityVerlet<Eigen::Matrix3Xd> verlet_;
-  std::optional<HighOrder> reference_;  // while it is the method
+  std::optional<BallReference> reference_;  // while it is the method
+  mutable BallTruth truth_;                 // what all others are compared with
   bool keep_book_ = false;
   double energy_before_ = 0;
   double lost_ = 0;
@@ -306,13 +319,13 @@ inline std::optional<ContactNumbers> BallsSimulation::contact() const {
 }
 
 /// A row for each ball.
-inline std::vector<double> BallsSimulation::values() const {
+inline std::vector<double> BallsSimulation::rows_of(const Balls& at) const {
   std::vector<double> rows;
   rows.reserve(7 * balls());
   for (Eigen::Index i = 0; i < scene_.mass.size(); ++i) {
     rows.push_back(static_cast<double>(i));
-    for (int axis = 0; axis < 3; ++axis) rows.push_back(state_.position(axis, i));
-    for (int axis = 0; axis < 3; ++axis) rows.push_back(state_.velocity(axis, i));
+    for (int axis = 0; axis < 3; ++axis) rows.push_back(at.position(axis, i));
+    for (int axis = 0; axis < 3; ++axis) rows.push_back(at.velocity(axis, i));
   }
   return rows;
 }

@@ -74,6 +74,7 @@ inline State<Eigen::Matrix3Xd> fly(const State<Eigen::Matrix3Xd>& balls, double 
   return later;
 }
 
+// [time_to_touch]
 /// When two touch that fly [s]: `never` if they miss. Both balls of a pair fall alike, so that each
 /// sees the other on a straight line: |p + u t| = R, a quadratic equation. With p = d e12 it is
 /// u^2 t^2 + 2 d (u e12) t + (d - R)(d + R) = 0, and the first root is written so that nothing is
@@ -93,5 +94,6 @@ inline double time_to_touch(const BallCollision& scene, const Touching& two,
   if (square < 0) return never;
   return apart * (now.distance + reach) / (std::sqrt(square) - now.distance * now.speed);
 }
+// [time_to_touch]
 
 }  // namespace bounce

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -118,6 +119,47 @@ TEST_CASE("a saved run of many balls goes on to the bit") {
     }
   }
   std::remove(state.c_str());
+}
+
+TEST_CASE("stage 5's reference: rows at the times asked for, a tolerance, and a saved run") {
+  const std::string break_up = program + "--method reference --set scene=break ";
+  const std::string how = break_up + "--set damping=5 --set contact=push-only ";
+  const Outcome through = run_program(how + "--csv - --at 0.3,0.31,2 --duration 2");
+  CHECK(through.code == 0);
+  CHECK(through.out.find("\n0.31,15,") != std::string::npos);
+  // 0.31 s is in the middle of the collision: those who touch are saved with the balls.
+  const std::string state = "/tmp/bounce_reference.state";
+  CHECK(run_program(how + "--headless --duration 0.31 --save " + state).code == 0);
+  const Outcome on = run_program(program + "--load " + state + " --csv - --at 2 --duration 2");
+  CHECK(on.code == 0);
+  CHECK(on.out.substr(on.out.find("\n2,0,")) == through.out.substr(through.out.find("\n2,0,")));
+  std::remove(state.c_str());
+
+  // One row an event: the start, the touch, the lift-off, the end.
+  const Outcome events = run_program(program + "--method reference --csv - --duration 2");
+  CHECK(std::count(events.out.begin(), events.out.end(), '\n') == 1 + 4 * 2);
+  CHECK(contains(events.err, "tolerance=1e-12"));
+  CHECK(run_program(how + "--headless --tolerance 2").code == 2);
+
+  const Outcome many =
+      run_program(program + "--headless --method reference --set scene=drop " + "--set count=1001");
+  CHECK(many.code == 2);
+  CHECK(contains(many.err, "--method reference is not allowed with 1001 balls"));
+  CHECK(contains(many.err, "at most 1000 balls"));
+}
+
+TEST_CASE("a run of a few balls says how far it is from the reference") {
+  const Outcome coarse = run_program(program + "--headless --dt 1e-3 --duration 2");
+  const Outcome fine = run_program(program + "--headless --dt 1e-6 --duration 2");
+  const auto error_of = [](const Outcome& run) {
+    const std::string name = "position_error_m=";
+    REQUIRE(contains(run.err, name));
+    return std::stod(run.err.substr(run.err.find(name) + name.size()));
+  };
+  CHECK(error_of(coarse) > 1e-4);
+  CHECK(error_of(fine) < 1e-5);
+  const Outcome many = run_program(program + "--headless --set scene=break --duration 1");
+  CHECK(!contains(many.err, "position_error_m="));
 }
 
 TEST_CASE("1000 balls in a heap, saved at any step, go on to the bit on the fast path") {

@@ -9,6 +9,7 @@
 
 #include "01_free_fall/exact.hpp"
 #include "03_damping/exact.hpp"
+#include "05_ball_collision/balls_simulation.hpp"
 #include "run/scene_simulation.hpp"
 
 using namespace bounce;
@@ -88,6 +89,25 @@ TEST_CASE("the error chart of a damped bounce is what a plain loop finds, step f
   };
   CHECK(best(Method::flight_rk4) < 1e-4 * best(Method::rk4));
   CHECK(best(Method::rk4_events) < 1e-4 * best(Method::rk4));
+}
+
+TEST_CASE("the error chart of two balls compares with the reference, for four touches") {
+  const ErrorChart chart = chart_of(BallsSimulation());
+  CHECK(chart.duration() == doctest::Approx(4 * 0.4).epsilon(1e-9));  // 0.4 m at 1 m/s
+  for (const Method method : {Method::semi_implicit_euler, Method::velocity_verlet, Method::rk4}) {
+    const std::vector<ErrorChart::Dot> dots = dots_of(chart, method);
+    REQUIRE(dots.size() >= 4);  // finer steps would take too long
+    CAPTURE(name_of(method));
+    // The touch is seen up to a step late, in which the first ball goes on with 1 m/s.
+    CHECK(dots.back().error < dots.back().dt);
+    CHECK(dots.back().error > 1e-12);  // without located events the touch costs accuracy
+  }
+  BallsSimulation crowd;
+  find_parameter(crowd.parameters(), "scene").set("break");
+  crowd.restart();
+  ErrorChart none;
+  none.follow(crowd, 0);
+  CHECK(none.trouble() != "");
 }
 
 TEST_CASE("the error chart follows the simulation: its step, its method, its parameters") {

@@ -1,5 +1,6 @@
 // Cases of the stages that have a Simulation class of their own: many balls, and the racket. Truth
-// is `exact`; where a stage has no formula, it is RK4 with a step far below those that are judged.
+// is `exact`; where a stage has no formula, it is `reference` with a tolerance below those that are
+// judged. It agrees with 40-digit values to 1e-13 (tests/stages/05_reference_test.cpp).
 
 #include <memory>
 #include <utility>
@@ -26,12 +27,17 @@ Row row_of(const Simulation& simulation) {
   return row;
 }
 
-Subject subject_of(const std::shared_ptr<Simulation>& run, Method method, double dt, double t_end) {
-  const bool steps = method != Method::exact;
-  Subject subject{name_of(method), steps ? "dt" : "", dt, false, {}, {}};
+/// `knob` is the time step, or the tolerance of `reference`; `exact` has none.
+Subject subject_of(const std::shared_ptr<Simulation>& run, Method method, double knob,
+                   double t_end) {
+  const char* name = method == Method::exact       ? ""
+                     : method == Method::reference ? "tolerance"
+                                                   : "dt";
+  Subject subject{name_of(method), name, knob, false, {}, {}};
   const auto begin = [=] {
     run->use_method(method);
-    if (steps) run->use_dt(dt);
+    if (method == Method::reference) run->use_tolerance(knob);
+    if (!goes_by_events(method)) run->use_dt(knob);
     run->restart();
   };
   subject.sample = [=](const std::vector<double>& times) {
@@ -64,8 +70,8 @@ using Settings = std::vector<std::pair<const char*, const char*>>;
 
 struct Truth {
   Method method;
-  double dt;      // s; 0 for `exact`
-  double finest;  // of the steps that are judged by it, s
+  double tolerance;  // of `reference`; 0 for `exact`
+  double finest;     // of the steps that are judged by it, s
 };
 
 void add_case(std::vector<Case>& all, const std::string& name, int stage, const std::string& what,
@@ -79,10 +85,15 @@ void add_case(std::vector<Case>& all, const std::string& name, int stage, const 
   Case one{name, stage, what, t_end, {}, {}};
   for (int i = 1; i <= 100; ++i) one.times.push_back(t_end * i / 100);
   one.energy = [](double /*t*/, const Row& row) { return row.back(); };
-  const Subject right = subject_of(run, truth.method, truth.dt, t_end);
+  const Subject right = subject_of(run, truth.method, truth.tolerance, t_end);
   one.truth = right.sample(one.times);
   if (truth.method == Method::exact) one.subjects.push_back(right);
   for (const Method method : run->methods()) {
+    if (method == Method::reference) {
+      for (const double tolerance : geometric(1e-3, 1e-12, 1)) {
+        one.subjects.push_back(subject_of(run, method, tolerance, t_end));
+      }
+    }
     if (force_evaluations_per_step(method) == 0) continue;  // no step to choose
     for (const double dt : geometric(1e-2, truth.finest, 3)) {
       one.subjects.push_back(subject_of(run, method, dt, t_end));
@@ -95,10 +106,11 @@ void add_case(std::vector<Case>& all, const std::string& name, int stage, const 
 
 void add_simulated_cases(std::vector<Case>& all) {
   add_case(all, "pair", 5, "two balls that meet off centre, with a damper, 1 s", 1,
-           {Method::rk4, 2.5e-7, 1e-5}, std::make_shared<BallsSimulation>(),
+           {Method::reference, 1e-14, 1e-5}, std::make_shared<BallsSimulation>(),
            {{"gap", "0.08"}, {"damping", "5"}});
   add_case(all, "cradle", 5, "five balls in a row that all but touch, 2 s", 2,
-           {Method::rk4, 2e-6, 2e-5}, std::make_shared<BallsSimulation>(), {{"scene", "cradle"}});
+           {Method::reference, 1e-14, 2e-5}, std::make_shared<BallsSimulation>(),
+           {{"scene", "cradle"}});
 
   const auto racket = std::make_shared<RacketRun>();
   racket->play_as(PlayerKind::none);

@@ -167,7 +167,7 @@ def cradle(count):  # as in scenes.hpp, in doubles
 
 CASES = [  # name, gravity, k, c, push-only, floor, balls, times
     ("oblique", 0.0, 1e4, 0.0, False, False,
-     [ball(-0.6, 0.1, 0.1, vx=1.0), ball(0.0, 0.1, 0.0)], [0.44, 1.0]),
+     [ball(-0.6, 0.1, 0.1, vx=1.0), ball(0.0, 0.1, 0.0)], [0.44, 1.0, 1.5]),
     ("oblique, damped", 0.0, 1e4, 30.0, False, False,
      [ball(-0.6, 0.12, 0.1, vx=1.0), ball(0.0, 0.1, 0.0)], [0.44, 1.0]),
     ("oblique, damped, only pushing", 0.0, 1e4, 60.0, True, False,
