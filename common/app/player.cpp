@@ -198,7 +198,11 @@ std::vector<TracePoint> Player::future(double seconds) const {
     // About a millisecond for one ball, and with many not much longer.
     const double most_steps = 2e5 / static_cast<double>(ahead->balls());
     const double reach = exact ? end : std::min(end, ahead->time() + most_steps * ahead->dt());
+    const auto begin = std::chrono::steady_clock::now();
     while (ahead->time() < reach && points.size() < 4000) {
+      // How long an event takes, nobody knows before: with many balls `reference` is slow.
+      const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+      if (exact && ahead->balls() > 1 && taken.count() > frame_budget) break;
       points.push_back(point(*ahead));
       points.back().t += later;
       const double whole = std::max(1.0, std::round(stride / ahead->dt()));
