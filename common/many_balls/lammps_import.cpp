@@ -55,11 +55,10 @@ class Dump {
     while (text_.rfind("ITEM: ATOMS", 0) != 0) {
       if (text_.rfind("ITEM: ", 0) != 0) refuse("'" + text_.substr(0, 40) + "' should be an ITEM:");
       if (text_ == "ITEM: TIMESTEP") {
-        frame_.step = read_count(1e15);
+        frame_.step = read_count(0, 1e15);
         has_step = true;
       } else if (text_ == "ITEM: NUMBER OF ATOMS") {
-        count = read_count(1e9);
-        if (count < 1) refuse("there is no ball in it");
+        count = read_count(1, 1e9);
       } else {  // the box, the units, the time: not needed here
         const int lines = text_.rfind("ITEM: BOX BOUNDS", 0) == 0 ? 3 : 1;
         for (int i = 0; i < lines; ++i) need_line();
@@ -75,11 +74,12 @@ class Dump {
     if (!next_line()) refuse("the file ends in the middle of a frame");
   }
 
-  long long read_count(double highest) {
+  long long read_count(double lowest, double highest) {
     need_line();
     const std::optional<double> number = parse_number(text_);
-    if (!number || *number < 0 || *number > highest) {
-      refuse("'" + text_ + "' should be a whole number from 0 to " + to_text(highest));
+    if (!number || *number < lowest || *number > highest) {
+      refuse("'" + text_ + "' must be a whole number from " + to_text(lowest) + " to " +
+             to_text(highest));
     }
     return static_cast<long long>(*number);
   }

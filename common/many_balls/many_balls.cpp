@@ -53,6 +53,7 @@ void ManyBalls::pass(const Pass& what, Team& team) {
   if (!(moved_ <= skin_ / 2 * (1 - 1e-6)) || list_threads_ != team.size()) {
     const double distance = 2 * skin_steps_ * fastest_ * dt_;
     skin_ = std::clamp(distance, 0.02 * largest_radius_, 0.5 * largest_radius_);
+    list_threads_ = 0;  // no list, should it throw
     list_.build(now_, next_, number_, skin_, team);
     list_threads_ = team.size();
     moved_ = 0;

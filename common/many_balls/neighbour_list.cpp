@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+
+#include "physics/text.hpp"
 
 namespace bounce::many {
 namespace {
@@ -12,6 +15,10 @@ constexpr std::size_t window = 64;
 
 /// A column of three cells rarely holds more.
 constexpr std::size_t padding = 8;
+
+/// So many may be listed however few the balls are: 160 MB. Balls that do not overlap have some 20
+/// each, and the 1e5 of a crowd in one place would have 1e10, and 40 GB.
+constexpr std::size_t most_in_a_crowd = 40000000;
 
 }  // namespace
 
@@ -46,9 +53,16 @@ void NeighbourList::build(std::vector<BallRecord>& records, std::vector<BallReco
   scratch.swap(records);
   number.swap(new_number_);
   length_.swap(new_length_);
+  std::atomic<std::size_t> listed{0};
+  const std::size_t most = std::max<std::size_t>(most_in_a_crowd, 64 * count);
   team.share_out(shares(), [&](int share) {
-    find_neighbours(records, shares_[static_cast<std::size_t>(share)]);
+    find_neighbours(records, shares_[static_cast<std::size_t>(share)], listed, most);
   });
+  if (listed.load() > most) {
+    throw BadInput("the balls come so close together that more than " + std::to_string(most) +
+                   " neighbours would be listed, which is not allowed: spread them out, or take "
+                   "fewer");
+  }
 }
 
 std::size_t NeighbourList::bytes() const {
@@ -163,7 +177,8 @@ void NeighbourList::order_alike(const std::vector<BallRecord>& records,
   }
 }
 
-void NeighbourList::find_neighbours(const std::vector<BallRecord>& records, Share& share) {
+void NeighbourList::find_neighbours(const std::vector<BallRecord>& records, Share& share,
+                                    std::atomic<std::size_t>& listed, std::size_t most) {
   const auto number = static_cast<std::size_t>(&share - shares_.data());
   const auto nobody_slot = static_cast<Slot>(places_.size());
   share.neighbours.clear();
@@ -179,6 +194,8 @@ void NeighbourList::find_neighbours(const std::vector<BallRecord>& records, Shar
       length_[first + lane] = static_cast<std::uint8_t>(std::min<std::size_t>(length, 255));
       longest = std::max(longest, length);
     }
+    if (listed.fetch_add(longest * group, std::memory_order_relaxed) > most)
+      return;  // build throws
     for (std::size_t row = 0; row < longest; ++row) {
       for (Slot lane = 0; lane < group; ++lane) {
         const std::size_t at = begin[lane] + row;

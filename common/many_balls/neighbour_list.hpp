@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -19,7 +20,8 @@ namespace bounce::many {
 class NeighbourList {
  public:
   /// Sorts `records` (and `number`, where whose number it is stands) and finds all neighbours
-  /// within `skin` [m]. `scratch` is as large as `records`; they may trade places.
+  /// within `skin` [m]. `scratch` is as large as `records`; they may trade places. Throws BadInput
+  /// when the balls crowd together so much that the lists would not fit into memory.
   void build(std::vector<BallRecord>& records, std::vector<BallRecord>& scratch,
              std::vector<int>& number, double skin, Team& team);
 
@@ -63,7 +65,8 @@ class NeighbourList {
   void sort_by_cell(const std::vector<BallRecord>& records, const std::vector<int>& number);
   void order_alike(const std::vector<BallRecord>& records, std::vector<BallRecord>& sorted,
                    std::size_t first, std::size_t last);
-  void find_neighbours(const std::vector<BallRecord>& records, Share& share);
+  void find_neighbours(const std::vector<BallRecord>& records, Share& share,
+                       std::atomic<std::size_t>& listed, std::size_t most);
   static void sort_by_number(Neighbour* near, std::size_t count, Slot* sorted);
   std::size_t find_candidates(const BallRecord& ball, Share& share) const;
   std::size_t find_neighbours_of(const std::vector<BallRecord>& records, Slot slot, Share& share,

@@ -133,7 +133,7 @@ std::vector<double> numbers_from(const std::string& path, const Lines& lines,
       refuse(path, "it is not complete");
     numbers = read_raw(behind.substr(0, behind.size() - 1));
   } else {
-    if (!lines.count("numbers")) refuse(path, "it is not complete");
+    if (!lines.count("numbers")) refuse(path, "it is not complete: the state is missing");
     for (const std::string& word : split(lines.at("numbers"))) {
       numbers.push_back(parse_number(word).value_or(std::nan("")));
     }
@@ -191,7 +191,7 @@ void load_state(const std::string& path, const StageName& stage, Simulation& sim
       refuse(path, error.what());
     }
   }
-  if (!lines.count("method")) refuse(path, "it is not complete");
+  if (!lines.count("method")) refuse(path, "it is not complete: the method is missing");
 
   Simulation::Memory memory{
       number_of(path, lines, "time"),      number_of(path, lines, "dt"),

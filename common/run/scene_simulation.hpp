@@ -250,6 +250,7 @@ class SceneSimulation final : public Simulation {
           walker_.resume(all[begin], start, phase);
         } else if constexpr (locates_events) {
           if (method() == Method::reference) {
+            if (!(all[of_state] > 0)) return false;  // the next step
             reference_.emplace(fresh_reference());
             reference_->resume({Exact(scene_), phase}, all[begin], start, all[of_state]);
           } else {

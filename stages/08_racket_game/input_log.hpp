@@ -69,7 +69,10 @@ inline InputLog read_input_log(const std::string& path) {
   }
   const auto number = [&](const std::string& text) {
     const std::optional<double> value = parse_number(text);
-    if (!value) refuse("'" + text.substr(0, 40) + "' is no number");
+    if (!value) {
+      refuse("in the line of '" + line.substr(0, line.find(' ')) + "', '" + text.substr(0, 40) +
+             "' is no number");
+    }
     return *value;
   };
   InputLog log;
@@ -82,7 +85,8 @@ inline InputLog read_input_log(const std::string& path) {
       log.round = static_cast<int>(std::clamp(number(rest), 0.0, 1e9));
     } else if (word == "dt") {
       log.dt = number(rest);
-      if (!(log.dt >= 1e-15 && log.dt <= 1e15)) refuse("its time step is " + rest);
+      if (!(log.dt >= 1e-15 && log.dt <= 1e15))
+        refuse("its dt is " + rest + ", and may be from 1e-15 to 1e15 (s)");
     } else if (word == "method") {
       log.method = rest;
     } else if (word.rfind("set.", 0) == 0) {
@@ -90,7 +94,9 @@ inline InputLog read_input_log(const std::string& path) {
     } else if (word == "input") {
       std::vector<double> all;
       for (const std::string& text : split(rest)) all.push_back(number(text));
-      if (all.size() != 7 || all[0] < 0 || all[0] > 1e15) refuse("an input is not complete");
+      if (all.size() != 7 || all[0] < 0 || all[0] > 1e15) {
+        refuse("an input has 7 numbers, the first from 0 to 1e15, and not '" + rest + "'");
+      }
       log.entries.push_back(
           {static_cast<long long>(all[0]), {all[1], all[2], all[3], all[4], all[5], all[6]}});
     } else {

@@ -19,6 +19,14 @@
 #include "08_racket_game/options.hpp"
 #include "run/scene_simulation.hpp"
 
+namespace bounce {
+
+// Compiled in all_stages_in_space.cpp, beside this file: together they take a minute.
+extern template class SceneSimulation<ThreeDimensions, ThreeDimensionsExact>;
+extern template class SceneSimulation<TiltedPlane, TiltedPlaneExact>;
+
+}  // namespace bounce
+
 namespace bounce::test {
 namespace {
 
@@ -38,7 +46,9 @@ const std::vector<Stage>& all_stages() {
       {{"03_damping", ""}, one<SceneSimulation<Damping, DampingExact>>},
       {{"04_three_dimensions", ""}, one<SceneSimulation<ThreeDimensions, ThreeDimensionsExact>>},
       {{"05_ball_collision", ""}, one<BallsSimulation>, ball_collision_options()},
-      {{"06_oscillating_floor", ""}, one<SceneSimulation<OscillatingFloor, OscillatingFloorExact>>},
+      {{"06_oscillating_floor", ""},
+       one<SceneSimulation<OscillatingFloor, OscillatingFloorExact>>,
+       {{"--sweep", "NAME=FROM,TO,N", "read by the program itself", {}, {}, {}}}},
       {{"07_tilted_plane", ""}, one<SceneSimulation<TiltedPlane, TiltedPlaneExact>>},
       {{"08_racket_game", ""}, one<RacketRun>, racket_game_options(is_game, record)}};
   return all;

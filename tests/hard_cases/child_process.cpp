@@ -40,7 +40,8 @@ Child ChildFolder::run(const std::string& program, const std::vector<std::string
   argv.push_back(nullptr);
 
   const pid_t child = fork();
-  if (child == 0) {  // from here to exec only what is safe beside other threads
+  if (child < 0) std::abort();  // and never kill(-1)
+  if (child == 0) {             // from here to exec only what is safe beside other threads
     const int in = open("/dev/null", O_RDONLY);
     const int to_out = open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     const int to_err = open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
