@@ -48,7 +48,8 @@ class DampedOscillator {
 
   /// No acceleration will be larger than this [m/s^2]: v^2 + omega0^2 x^2 never grows.
   double largest_acceleration(const State<double>& now) const {
-    return (2 * beta_ + omega0_) * std::hypot(now.velocity, omega0_ * now.position);
+    const double v = now.velocity, x = omega0_ * now.position;
+    return (2 * beta_ + omega0_) * std::sqrt(v * v + x * x);  // as hypot, but alike everywhere
   }
 
  private:

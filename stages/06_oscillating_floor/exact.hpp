@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -131,12 +132,15 @@ class OscillatingFloorExact {
   Glimpse gap_in_flight(const State<double>& start, double t) const;
   Glimpse push_in_flight(const State<double>& start, double t) const;
   struct Touch;  // what gap and push need to know of the movement in contact
-  Touch touch_at(double t, const State<double>& ball, Complex turned, double window) const;
+  Touch touch_at(double t, const State<double>& ball, Complex turned, double window,
+                 const State<double>& free_before, double since) const;
   Touch touch_at(const State<double>& start, double t) const;
   Glimpse overlap_in_touch(const State<double>& start, double t) const;
   Glimpse push_in_touch(const State<double>& start, double t) const;
   State<double> free_part(const State<double>& ball, double t, Complex turned) const;
   double free_acceleration(const State<double>& free) const;
+  std::array<double, 4> free_bounds(const State<double>& free, const State<double>& before,
+                                    double since) const;
   bool stays(const State<double>& start) const;
 
   PhaseEnd end_of_flight(const State<double>& start) const;
@@ -233,7 +237,7 @@ inline PhaseEnd OscillatingFloorExact::end_of_flight(const State<double>& start)
 /// of a free swing, sqrt(f^2 + (f'/omega0)^2), is like the energy of a spring and never grows, so
 /// that both together bound a for ever. Near resonance both are huge and cancel; there a better
 /// bound is that the size of a itself grows by no more than the shaking adds, for some time to
-/// come.
+/// come. An over-damped contact has no resonance, but two very different rates (free_bounds).
 struct OscillatingFloorExact::Touch {
   Floor floor;
   State<double> ball;
@@ -251,6 +255,31 @@ inline State<double> OscillatingFloorExact::free_part(const State<double>& ball,
           ball.velocity - u - w_ * steady.real()};
 }
 
+/// Bounds of its acceleration from now on, and of the first three derivatives of that. An
+/// over-damped swing is a sum of two exponentials, x = p e^(-slow t) + q e^(-fast t), and their
+/// rates can be millions apart: once the fast one has died, nothing bends fast any more. Its share
+/// now is what it was `before`, `since` seconds ago, less its decay; from the swing as it is now it
+/// could not be told, because the rounding of a height, times fast^2, is no small acceleration.
+inline std::array<double, 4> OscillatingFloorExact::free_bounds(const State<double>& free,
+                                                                const State<double>& before,
+                                                                double since) const {
+  const double size = free_acceleration(free), bend = omega0_ * (2 * beta_ + omega0_);
+  std::array<double, 4> bounds{size, omega0_ * size, bend * size,
+                               (2 * beta_ * bend + omega0_ * omega0_ * omega0_) * size};
+  if (beta_ <= omega0_) return bounds;
+  const double root = std::sqrt((beta_ - omega0_) * (beta_ + omega0_));
+  const double fast = beta_ + root, slow = omega0_ * omega0_ / fast;
+  const double x = before.position, v = before.velocity;
+  double p = std::abs(v + fast * x) / (2 * root) * slow * slow * std::exp(-slow * since);
+  double q = std::abs(v + slow * x) / (2 * root) * fast * fast * std::exp(-fast * since);
+  for (double& bound : bounds) {
+    bound = std::min(bound, p + q);
+    p *= slow;
+    q *= fast;
+  }
+  return bounds;
+}
+
 /// The size of its acceleration f = -2 beta v - omega0^2 x [m/s^2].
 inline double OscillatingFloorExact::free_acceleration(const State<double>& free) const {
   const double f = -2 * beta_ * free.velocity - omega0_ * omega0_ * free.position;
@@ -261,14 +290,14 @@ inline double OscillatingFloorExact::free_acceleration(const State<double>& free
 inline OscillatingFloorExact::Touch OscillatingFloorExact::touch_at(const State<double>& start,
                                                                     double t) const {
   const Complex turned = turn(t);
-  return touch_at(t, ball_in_touch(start, t, turned), turned, 1 / omega0_);
+  return touch_at(t, ball_in_touch(start, t, turned), turned, 1 / omega0_, free_part(start, 0, 1),
+                  t);
 }
 
 /// With the ball as it is at `t`, and bounds for at least `window` seconds.
-inline OscillatingFloorExact::Touch OscillatingFloorExact::touch_at(double t,
-                                                                    const State<double>& ball,
-                                                                    Complex turned,
-                                                                    double window) const {
+inline OscillatingFloorExact::Touch OscillatingFloorExact::touch_at(
+    double t, const State<double>& ball, Complex turned, double window,
+    const State<double>& free_before, double since) const {
   Touch now;
   now.floor = floor_at(t, turned);
   now.ball = ball;
@@ -282,13 +311,13 @@ inline OscillatingFloorExact::Touch OscillatingFloorExact::touch_at(double t,
   const double grown = std::sqrt(a * a + b * b) + shaking * window / omega0_;
 
   const double steady = w_ * w_ * steady_size_;
-  const double free = free_acceleration(free_part(now.ball, t, turned));
-  if (steady + free < grown) {
+  const std::array<double, 4> free = free_bounds(free_part(ball, t, turned), free_before, since);
+  if (beta_ > omega0_ || steady + free[0] < grown) {
     now.window = never;
-    now.max[0] = steady + free;
-    now.max[1] = w_ * steady + omega0_ * free;
-    now.max[2] = w_ * w_ * steady + fast * free;
-    now.max[3] = w_ * w_ * w_ * steady + faster * free;
+    now.max[0] = steady + free[0];
+    now.max[1] = w_ * steady + free[1];
+    now.max[2] = w_ * w_ * steady + free[2];
+    now.max[3] = w_ * w_ * w_ * steady + free[3];
   } else {
     now.window = window;
     now.max[0] = grown;
@@ -337,7 +366,8 @@ inline Lasting OscillatingFloorExact::touch_lasts(Phase next, double t,
 
 inline double OscillatingFloorExact::max_bend(Phase next, double t, const State<double>& state,
                                               double window) const {
-  const Touch now = touch_at(t, state, turn(t), window);
+  const Complex turned = turn(t);
+  const Touch now = touch_at(t, state, turned, window, free_part(state, t, turned), 0);
   if (next == Phase::let_go) return scene_.mass * now.max[2];
   return now.max[0] + (switched_ ? 0 : scene_.amplitude * w_ * w_);
 }
