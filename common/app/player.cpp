@@ -99,7 +99,7 @@ void Player::move_to(double t) {
     trouble_ = "The state became infinite at t = " + to_rounded_text(error.t) + " s. " +
                step_warning(*simulation_);
   } catch (const TimeStandsStill& error) {
-    trouble_ = "Events no longer advance time at t = " + to_rounded_text(error.t) + " s.";
+    trouble_ = std::string(error.what()) + " at t = " + to_rounded_text(error.t) + " s.";
   } catch (const NoClosedForm& error) {
     trouble_ = std::string(error.what()) + " at t = " + to_rounded_text(error.t) + " s.";
   }

@@ -2,17 +2,24 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "physics/closed_form.hpp"
 #include "physics/state.hpp"
 
 namespace bounce {
 
-/// Events follow each other without time going on. It carries the time at which that happened.
+/// Events follow each other without time going on. It carries the time at which that happened, and
+/// what would help.
 struct TimeStandsStill : std::runtime_error {
   explicit TimeStandsStill(double t_stuck)
-      : std::runtime_error("events no longer advance time"), t(t_stuck) {}
+      : TimeStandsStill(t_stuck, "events no longer advance time",
+                        "take a stepping method, such as --method semi-implicit-euler") {}
+  TimeStandsStill(double t_stuck, const std::string& what_happens, std::string what_helps)
+      : std::runtime_error(what_happens), t(t_stuck), advice(std::move(what_helps)) {}
   double t;
+  std::string advice;
 };
 
 /// A phase that ends at `t` and is no longer than this [s] does not count as time going on.

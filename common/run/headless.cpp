@@ -232,8 +232,8 @@ int guarded(const StageName& stage, const Simulation& simulation,
                         : ": " + advice));
     return exit_physics;
   } catch (const TimeStandsStill& error) {
-    say("events no longer advance time at t = " + to_rounded_text(error.t, 6) +
-        " s: take a stepping method, such as --method semi-implicit-euler");
+    say(std::string(error.what()) + " at t = " + to_rounded_text(error.t, 6) +
+        " s: " + error.advice);
     return exit_physics;
   } catch (const NoClosedForm& error) {
     say(std::string(error.what()) + " at t = " + to_rounded_text(error.t, 6) +

@@ -49,7 +49,8 @@ bool Simulation::advance_some(double t) {
   }
   // A million steps of one ball take less than a second in a debug build, too. Each portion costs a
   // copy of the state: with very many balls, ten steps are better than one.
-  const auto n = static_cast<long long>(balls());
+  const auto n =
+      static_cast<long long>(std::min(1e9, static_cast<double>(balls()) * pieces_per_step()));
   const long long steps = std::max({1LL, 1000000LL / n, std::min(10LL, 10000000LL / n)});
   take_steps_to(std::min(t, grid_time(grid_steps_ + steps)));
   return time_ >= t;
@@ -115,16 +116,41 @@ Simulation::Memory Simulation::memory() const {
   return {time_, dt_, tolerance_, grid_start_, into_step_, grid_steps_, steps_, numbers()};
 }
 
+namespace {
+
+void check(const std::string& name, double value, Range valid) {
+  if (valid.contains(value)) return;
+  throw BadInput("its " + name + " is " + to_text(value) + ", and it must be from " +
+                 to_text(valid.lowest) + " to " + to_text(valid.highest));
+}
+
+/// No run that begins with allowed parameters comes near the range for the state, unless it
+/// explodes; beyond it squares and products overflow, and a step may take for ever.
+void check_ranges(const Simulation::Memory& memory) {
+  check("dt", memory.dt, {1e-15, 1e15});
+  check("tolerance", memory.tolerance, {1e-15, 1});
+  check("time", memory.time, {0, 1e15});
+  check("grid_start", memory.grid_start, {0, 1e15});
+  check("grid_steps", static_cast<double>(memory.grid_steps), {0, 1e18});
+  check("steps", static_cast<double>(memory.steps), {0, 1e18});
+  check("into_step", memory.into_step, {0, memory.dt});
+  for (std::size_t i = 0; i < memory.numbers.size(); ++i) {
+    if (std::abs(memory.numbers[i]) <= 1e100) continue;
+    check("state's number " + std::to_string(i + 1), memory.numbers[i], {-1e100, 1e100});
+  }
+}
+
+}  // namespace
+
 void Simulation::recall(const Memory& memory) {
+  check_ranges(memory);
   const double grid_time =
       memory.grid_start + static_cast<double>(memory.grid_steps) * memory.dt + memory.into_step;
-  const bool makes_sense = memory.dt >= 1e-15 && memory.dt <= 1e15 && memory.time >= 0 &&
-                           memory.tolerance >= 1e-15 && memory.tolerance <= 1 &&
-                           memory.grid_start >= 0 && memory.grid_steps >= 0 && memory.steps >= 0 &&
-                           memory.into_step >= 0 && memory.into_step < memory.dt &&
-                           (goes_by_events(method_) || std::abs(grid_time - memory.time) <=
-                                                           1e-6 * memory.dt + 1e-12 * grid_time);
-  if (!makes_sense) throw BadInput("its clock makes no sense");
+  const double blur = 1e-6 * memory.dt + 1e-12 * grid_time;
+  if (!goes_by_events(method_) && std::abs(grid_time - memory.time) > blur) {
+    throw BadInput("its time is " + to_text(memory.time) + ", and its grid_start, grid_steps, dt " +
+                   "and into_step lead to " + to_text(grid_time));
+  }
   time_ = memory.time;
   dt_ = memory.dt;
   tolerance_ = memory.tolerance;

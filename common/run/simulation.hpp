@@ -71,6 +71,8 @@ class Simulation {
   virtual std::size_t balls() const { return 1; }  // rows of the trace at one time
   /// Whether steps that are too long for a contact are cut there: then no step is too long.
   virtual bool cuts_steps() const { return false; }
+  /// Into how many pieces a step may then be cut: what it can cost, in steps.
+  virtual double pieces_per_step() const { return 1; }
   /// More words for the summary line, "name=value".
   virtual std::string summary() const { return ""; }
   /// The words on the command line, besides parameters, that make a run like this one.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "physics/contact.hpp"
+#include "physics/event_driven.hpp"
 #include "physics/stability.hpp"
 #include "physics/state.hpp"
 #include "racket.hpp"
@@ -36,6 +37,7 @@ class ContactSteps {
 
   void operator()(double t, State<Eigen::Vector3d>& state, double dt) {
     const double end = t + dt;
+    work_ = 0;
     double left = dt;
     while (left > 0) {
       double piece;
@@ -57,6 +59,15 @@ class ContactSteps {
  private:
   using Ball = State<Eigen::Vector3d>;
 
+  /// A step that is made of more pieces or looks than this would be seconds of work that nobody can
+  /// interrupt. Numbers that are far apart ask for it: a stiff contact in a very long step.
+  static constexpr long long most_work = 10000000;
+  void count_work(double t) {
+    if (++work_ <= most_work) return;
+    throw TimeStandsStill(t, "a step would need more than 1e7 pieces",
+                          "take a shorter --dt, a softer contact or lower speeds");
+  }
+
   /// Distance between the surfaces of ball and racket [m]; negative when they overlap.
   double gap(double t, const Ball& ball) const {
     return scene_.nearest(scene_.disc_at(t), ball.position).distance - scene_.radius;
@@ -76,6 +87,7 @@ class ContactSteps {
     const double piece = left / count;
     double done = 0;
     for (double i = 0; i < count && gap(t + done, ball) < 0; ++i) {
+      count_work(t + done);
       step(scene_, t + done, ball, piece);
       done = i + 1 < count ? done + piece : left;
       scene_.choose_side(t + done, ball.position);
@@ -95,6 +107,7 @@ class ContactSteps {
     double later = 0;
     double distance = gap(t, start);
     while (distance < speed * (left - later)) {
+      count_work(t + later);
       if (distance < near) {
         // Is there an overlap a little later? Then the touch is in between.
         const double beyond = std::min(left, later + 16 * near / speed);
@@ -119,6 +132,7 @@ class ContactSteps {
 
   Racket& scene_;
   const MakeStep& make_step_;
+  long long work_ = 0;  // pieces and looks of this step
 };
 
 }  // namespace bounce

@@ -81,6 +81,10 @@ class RacketRun final : public Simulation {
                           damping_ratio(full().stiffness, full().damping, full().mass)};
   }
   bool cuts_steps() const override { return true; }
+  double pieces_per_step() const override {
+    const double in_contact = dt() / longest_contact_piece(full());
+    return std::max({1.0, in_contact, is_game() ? dt() / longest_game_step : 0});
+  }
   long long counted_force_evaluations() const override {
     return (pieces_ - steps()) * force_evaluations_per_step(method());
   }
@@ -168,11 +172,12 @@ class RacketRun final : public Simulation {
     round_.side = scene.side;
     round_.ball = seen_from_ground(from_racket_, t + static_cast<double>(count) * dt);
   }
-  double go_by_events_towards(double t, long long /*most_events*/) override {
+  double go_by_events_towards(double t, long long most_events) override {
     if (!walk_) return t;
-    round_.ball = walk_->at(t);
-    from_racket_ = seen_from_racket(round_.ball, t);
-    return t;
+    const double reached = walk_->reach(t, most_events) ? t : walk_->walker().last_event();
+    round_.ball = walk_->at(reached);
+    from_racket_ = seen_from_racket(round_.ball, reached);
+    return reached;
   }
   bool is_finite() const override {
     return bounce::is_finite(round_.ball.position) && bounce::is_finite(round_.ball.velocity);
@@ -235,8 +240,11 @@ class RacketRun final : public Simulation {
                (round_.steps == 0 || round_.input_age >= rules::input_time)) {
       give(autopilot(sight_of(settings_, round_)));
     }
-    // A hand and a racket are followed in steps of 5 ms at most.
-    const double parts = std::ceil(dt / 0.005 - 1e-9);
+    const double parts = std::ceil(dt / longest_game_step - 1e-9);
+    if (parts > 1e6) {
+      throw TimeStandsStill(round_.clock, "a step of the game would be cut into more than 1e6",
+                            "take a shorter --dt");
+    }
     for (double part = 0; part < parts; ++part) {
       step(settings_, round_, dt / parts,
            [this](Racket& scene, Ball& ball, double h) { return move_ball(scene, 0, ball, h); });
@@ -263,6 +271,10 @@ class RacketRun final : public Simulation {
   std::optional<Ball> exact_ball(double t) const {
     if (!truth_) return std::nullopt;
     try {
+      if (!truth_->reach(t, most_events_of_truth)) {
+        truth_.reset();
+        return std::nullopt;
+      }
       const Ball exact = truth_->at(std::max(t, truth_->walker().last_event()));
       if (bounce::is_finite(exact.position) && bounce::is_finite(exact.velocity)) return exact;
     } catch (const TimeStandsStill&) {
@@ -270,6 +282,11 @@ class RacketRun final : public Simulation {
     }
     return std::nullopt;
   }
+
+  // A hand and a racket are followed in steps of 5 ms at most.
+  static constexpr double longest_game_step = 5e-3;
+  // A comparison is worth a second or two, not an hour.
+  static constexpr long long most_events_of_truth = 5000000;
 
   static std::vector<double> ball_numbers(const Ball& ball) {
     const auto& [p, v] = ball;

@@ -18,9 +18,18 @@ class RacketWalk {
   RacketWalk(const Racket& scene, double t, const Ball& ball)
       : scene_(scene), walker_(RacketExact(scene), t, from_racket(ball, t)) {}
 
-  /// The state at `t`. Throws NoClosedForm from the moment on at which the ball meets the rim.
+  /// Passes the events up to `t`, but at most so many. Returns whether it got there.
+  bool reach(double t, long long most_events) {
+    for (; next_event() <= t; --most_events) {
+      if (most_events == 0) return false;
+      pass_event();
+    }
+    return true;
+  }
+
+  /// The state at `t`, before the next event. Throws NoClosedForm from the moment on at which the
+  /// ball meets the rim.
   Ball at(double t) {
-    while (next_event() <= t) pass_event();
     if (t >= dead_end_)
       throw NoClosedForm(dead_end_,
                          "the ball meets the racket's rim, for which "
