@@ -12,7 +12,7 @@ namespace bounce {
 /// Where a ball is nearest to the racket.
 struct NearestPoint {
   Eigen::Vector3d point;      // on the racket
-  Eigen::Vector3d direction;  // from there to the ball, unit length
+  Eigen::Vector3d direction;  // from there to the ball, unit length (but see beyond_rim)
   double distance;            // m; negative when the ball's centre is through the disc
 };
 
@@ -26,9 +26,10 @@ struct Racket {
   double stiffness = 1e4;  // N/m
   double damping = 14.17;  // N s/m: restitution 0.8
   ContactLaw contact = ContactLaw::slides;
-  Disc disc;         // where the racket is at `since`, and how it moves from there
-  double since = 0;  // s
-  int side = 1;      // where the ball comes from: 1 is the side of the normal, -1 the other
+  Disc disc;             // where the racket is at `since`, and how it moves from there
+  double since = 0;      // s
+  int side = 1;          // where the ball comes from: 1 is the side of the normal, -1 the other
+  bool through = false;  // pressed through the disc, with its centre, and not let off since
 
   /// The racket at time `t`.
   Disc disc_at(double t) const { return disc.after(t - since); }
@@ -44,6 +45,7 @@ struct Racket {
     const Eigen::Vector3d rim = racket.centre + outwards * (racket.radius / lateral);
     const double distance = (ball - rim).norm();
     if (distance == 0) return {rim, side * racket.normal, 0};
+    if (through && side * racket.height(ball) < 0) return beyond_rim(racket, rim, ball);
     return {rim, (ball - rim) / distance, distance};
   }
   // [nearest]
@@ -77,7 +79,13 @@ struct Racket {
     const Disc racket = disc_at(t);
     const bool over_disc = racket.outwards(ball).norm() < racket.radius;
     const double height = racket.height(ball);
-    if (over_disc && side * height < radius) return;
+    if (over_disc && side * height < radius) {
+      through = side * height < 0;
+      return;
+    }
+    // Pressed through the disc, out over its rim, and still pushed.
+    if (through && side * height < 0 && nearest(racket, ball).distance < radius) return;
+    through = false;
     side = height < 0 ? -1 : 1;
   }
   // [side]
@@ -85,6 +93,22 @@ struct Racket {
   /// For a ball that was put where it is.
   void start_side(double t, const Eigen::Vector3d& ball) {
     side = disc_at(t).height(ball) < 0 ? -1 : 1;
+    through = false;
+  }
+
+  /// A ball whose centre was pressed through the disc, and that slides out over the rim: x > 0
+  /// outwards from the rim, y < 0 up from the disc. Its nearest point is on the rim, but that is on
+  /// its other side: the push would turn round at once, from up to down. This one turns evenly,
+  /// from up (x = 0, as over the disc) to outwards (y = 0, as beside it): with x = l cos a and
+  /// y = l sin a the distance l cos 2a, for which -l and l and their slopes agree with the two. The
+  /// direction is its gradient, so that no energy is gained or lost; its length is up to 2.
+  NearestPoint beyond_rim(const Disc& racket, const Eigen::Vector3d& rim,
+                          const Eigen::Vector3d& ball) const {
+    const Eigen::Vector3d up = side * racket.normal;
+    const Eigen::Vector3d out = (rim - racket.centre) / racket.radius;
+    const double length = (ball - rim).norm();
+    const double x = out.dot(ball - rim) / length, y = up.dot(ball - rim) / length;
+    return {rim, x * (1 + 2 * y * y) * out - y * (1 + 2 * x * x) * up, length * (x * x - y * y)};
   }
 
   double overlap(double t, const State<Eigen::Vector3d>& state) const {

@@ -13,6 +13,7 @@
 #include "input_log.hpp"
 #include "physics/components.hpp"
 #include "physics/integrators.hpp"
+#include "racket_contacts.hpp"
 #include "round.hpp"
 #include "run/simulation.hpp"
 #include "walk.hpp"
@@ -67,8 +68,9 @@ class RacketRun final : public Simulation {
   std::unique_ptr<Simulation> clone() const override { return std::make_unique<RacketRun>(*this); }
   std::vector<Parameter> parameters() override;
   std::vector<Method> methods() const override {
-    return {Method::explicit_euler, Method::semi_implicit_euler, Method::velocity_verlet,
-            Method::rk4, Method::exact};
+    return {Method::explicit_euler,  Method::semi_implicit_euler,
+            Method::velocity_verlet, Method::rk4,
+            Method::reference,       Method::exact};
   }
   std::vector<std::string> columns() const override { return {"x", "y", "z", "vx", "vy", "vz"}; }
   std::vector<double> values() const override { return ball_numbers(round_.ball); }
@@ -86,6 +88,7 @@ class RacketRun final : public Simulation {
     return std::max({1.0, in_contact, is_game() ? dt() / longest_game_step : 0});
   }
   long long counted_force_evaluations() const override {
+    if (method() == Method::reference) return reference_ ? reference_->force_evaluations() : 0;
     return (pieces_ - steps()) * force_evaluations_per_step(method());
   }
   std::string summary() const override;
@@ -105,24 +108,27 @@ class RacketRun final : public Simulation {
     Racket scene = full();
     scene.disc = disc();
     scene.since = time();
-    scene.side = round_.side;
+    begin_with(round_, scene);
     // Put through the disc by hand, it is on the other side.
     const double depth = scene.radius - scene.side * scene.disc.height(round_.ball.position);
     if (time() == 0 || depth > 2 * scene.radius) {
       scene.start_side(time(), round_.ball.position);
     }
     scene.choose_side(time(), round_.ball.position);
-    round_.side = scene.side;
+    end_with(round_, scene);
     from_racket_ = seen_from_racket(round_.ball, time());
     compare_from_here();
     walk_ = truth_;
+    reference_ = reference_from_here(tolerance());
   }
   double next_event() const override {
-    return method() == Method::exact && walk_ ? walk_->next_event() : never;
+    if (is_game()) return never;
+    if (method() == Method::reference) return reference_->next_event();
+    return method() == Method::exact ? walk_->next_event() : never;
   }
   Energy energy() const override {
     Racket scene = bare_scene();
-    scene.side = round_.side;
+    begin_with(round_, scene);
     scene.gravity = gravity();
     if (is_game()) scene.disc = disc();
     return scene.energy(is_game() ? scene.since : time(), round_.ball);
@@ -139,10 +145,10 @@ class RacketRun final : public Simulation {
 
  protected:
   void reset_state() override {
-    if (is_game() && method() == Method::exact) {
-      throw BadInput(
-          "--method exact is not allowed in the game: it must be a stepping method, or "
-          "--player none, where the racket's movement is known beforehand");
+    if (is_game() && goes_by_events(method())) {
+      throw BadInput("--method " + name_of(method()) +
+                     " is not allowed in the game: it must be a stepping method, or "
+                     "--player none, where the racket's movement is known beforehand");
     }
     const int next = round_.number + (round_.score.lost ? 1 : 0);
     round_ = begin_round(settings_, next, round_.score.best);
@@ -153,30 +159,43 @@ class RacketRun final : public Simulation {
   }
   void compare_from_here() override {
     truth_.reset();
+    truth_at_rim_.reset();
     if (is_game()) return;
     Racket scene = bare_scene();
-    scene.side = round_.side;
+    begin_with(round_, scene);
     truth_.emplace(scene, time(), round_.ball);
+    start_of_truth_ = reference_from_here(tightest);
   }
   void take_steps(long long count, double t, double dt) override {
     if (is_game()) {
       for (long long i = 0; i < count; ++i) game_step(dt);
       return;
     }
-    // Seen from the racket, which rests there: nothing in a contact depends on who watches.
-    Racket scene = bare_scene();
-    scene.disc.centre.setZero();
-    scene.disc.velocity.setZero();
-    scene.side = round_.side;
+    Racket scene = scene_at_rest();
     for (long long i = 0; i < count; ++i) move_ball(scene, 0, from_racket_, dt);
-    round_.side = scene.side;
+    end_with(round_, scene);
     round_.ball = seen_from_ground(from_racket_, t + static_cast<double>(count) * dt);
   }
   double go_by_events_towards(double t, long long most_events) override {
-    if (!walk_) return t;
-    const double reached = walk_->reach(t, most_events) ? t : walk_->walker().last_event();
-    round_.ball = walk_->at(reached);
-    from_racket_ = seen_from_racket(round_.ball, reached);
+    if (is_game()) return t;
+    double reached = t;
+    Racket scene = scene_at_rest();
+    if (method() == Method::reference) {
+      if (!reference_->reach(t, most_events)) reached = reference_->piece_start();
+      from_racket_ = reference_->at(reached);
+      round_.ball = seen_from_ground(from_racket_, reached);
+      scene.side = reference_->contacts().side();
+      scene.through = reference_->contacts().place() == RacketContacts::Place::beyond;
+    } else {
+      if (!walk_->reach(t, most_events)) reached = walk_->walker().last_event();
+      round_.ball = walk_->at(reached);
+      from_racket_ = seen_from_racket(round_.ball, reached);
+      // In contact the side is that of the touch.
+      const bool flies = walk_->walker().phase() == Phase::flight;
+      const Ball& seen = flies ? from_racket_ : walk_->walker().state_at_last_event();
+      scene.start_side(0, seen.position);
+    }
+    end_with(round_, scene);
     return reached;
   }
   bool is_finite() const override {
@@ -194,6 +213,21 @@ class RacketRun final : public Simulation {
     scene.disc.normal = Plane::from_equation(normal_, 0).normal;
     scene.disc.velocity = velocity_;
     return scene;
+  }
+
+  /// The same, seen from the racket: nothing in a contact depends on who watches.
+  Racket scene_at_rest() const {
+    Racket scene = bare_scene();
+    scene.disc.centre.setZero();
+    scene.disc.velocity.setZero();
+    begin_with(round_, scene);
+    return scene;
+  }
+  std::optional<RacketReference> reference_from_here(double tolerance) const {
+    if (is_game()) return std::nullopt;
+    return std::optional<RacketReference>(std::in_place,
+                                          RacketContacts(scene_at_rest(), from_racket_), time(),
+                                          from_racket_, tolerance);
   }
 
   Ball seen_from_racket(const Ball& ball, double t) const {
@@ -269,22 +303,40 @@ class RacketRun final : public Simulation {
   }
 
   std::optional<Ball> exact_ball(double t) const {
-    if (!truth_) return std::nullopt;
     try {
-      if (!truth_->reach(t, most_events_of_truth)) {
-        truth_.reset();
-        return std::nullopt;
-      }
-      const Ball exact = truth_->at(std::max(t, truth_->walker().last_event()));
-      if (bounce::is_finite(exact.position) && bounce::is_finite(exact.velocity)) return exact;
+      const std::optional<Ball> exact = truth_at(t);
+      if (exact && bounce::is_finite(exact->position) && bounce::is_finite(exact->velocity))
+        return exact;
     } catch (const TimeStandsStill&) {
-    } catch (const NoClosedForm&) {
     }
     return std::nullopt;
+  }
+  /// The closed form as far as it goes, and then the reference.
+  std::optional<Ball> truth_at(double t) const {
+    if (truth_) {
+      try {
+        if (truth_->reach(t, most_events_of_truth)) {
+          return truth_->at(std::max(t, truth_->walker().last_event()));
+        }
+        truth_.reset();
+      } catch (const NoClosedForm&) {
+        truth_.reset();
+        truth_at_rim_ = start_of_truth_;
+      }
+    }
+    if (!truth_at_rim_) return std::nullopt;
+    if (!truth_at_rim_->reach(t, most_events_of_truth)) {
+      truth_at_rim_.reset();
+      return std::nullopt;
+    }
+    const double shown = std::max(t, truth_at_rim_->piece_start());
+    return seen_from_ground(truth_at_rim_->at(shown), shown);
   }
 
   // A hand and a racket are followed in steps of 5 ms at most.
   static constexpr double longest_game_step = 5e-3;
+  // Of the reference that others are compared with
+  static constexpr double tightest = 1e-14;
   // A comparison is worth a second or two, not an hour.
   static constexpr long long most_events_of_truth = 5000000;
 
@@ -310,8 +362,12 @@ class RacketRun final : public Simulation {
   Round round_;
   Ball from_racket_ = round_.ball;  // the bare physics' ball, seen from the racket
   long long pieces_ = 0;
-  std::optional<RacketWalk> walk_;           // the movement, for `exact`
-  mutable std::optional<RacketWalk> truth_;  // what all others are compared with
+  std::optional<RacketWalk> walk_;            // the movement, for `exact`
+  std::optional<RacketReference> reference_;  // the same, for `reference`
+  // What all others are compared with; the reference from the start on, once the rim is reached
+  mutable std::optional<RacketWalk> truth_;
+  std::optional<RacketReference> start_of_truth_;
+  mutable std::optional<RacketReference> truth_at_rim_;
 };
 
 inline std::vector<Parameter> RacketRun::parameters() {
@@ -386,6 +442,7 @@ void RacketRun::each_number(Round& round, const Visit& visit) {
   visit(round.touch_clock);
   for (double& number : components(round.touch_place)) visit(number);
   visit(round.side);
+  visit(round.through);
   visit(round.steps);
   visit(round.number);
   visit(round.touches);
@@ -403,6 +460,15 @@ inline std::vector<double> RacketRun::numbers() const {
   all.push_back(static_cast<double>(next_entry_));
   all.push_back(static_cast<double>(settings_.player));
   all.push_back(static_cast<double>(settings_.seed));
+  if (method() == Method::reference && reference_) {
+    all.push_back(reference_->next_step());
+    all.push_back(reference_->piece_start());
+    for (const double number : ball_numbers(reference_->state_at_piece_start())) {
+      all.push_back(number);
+    }
+    all.push_back(static_cast<double>(reference_->contacts().place()));
+    all.push_back(static_cast<double>(reference_->contacts().phase()));
+  }
   if (method() == Method::exact && walk_) {
     all.push_back(walk_->walker().last_event());
     for (const double number : ball_numbers(walk_->walker().state_at_last_event())) {
@@ -416,8 +482,8 @@ inline std::vector<double> RacketRun::numbers() const {
 inline bool RacketRun::recall_numbers(const std::vector<double>& all) {
   std::size_t expected = 15;
   each_number(round_, [&](auto&) { ++expected; });
-  const bool exact = method() == Method::exact;
-  if (all.size() != expected + (exact ? 8 : 0)) return false;
+  const bool exact = method() == Method::exact, reference = method() == Method::reference;
+  if (all.size() != expected + (exact ? 8 : reference ? 10 : 0)) return false;
   // Every count must fit into its type, and the side, the player and the flags be what they are.
   std::size_t at = 12;
   bool fits = true;
@@ -444,11 +510,20 @@ inline bool RacketRun::recall_numbers(const std::vector<double>& all) {
   next_entry_ = static_cast<std::size_t>(all[i++]);
   settings_.player = static_cast<PlayerKind>(static_cast<int>(all[i++]));
   settings_.seed = static_cast<std::uint64_t>(all[i++]);
-  if (!exact) return true;
+  if (!exact && !reference) return true;
   const double phase = all.back();
-  if (!(phase == 0 || phase == 1 || phase == 2)) return false;
+  if (!(phase == 0 || phase == 1 || phase == 2) || is_game()) return false;
+  if (reference) {
+    const double place = all[i + 8];
+    if (!(place == 0 || place == 1 || place == 2)) return false;
+    reference_ = reference_from_here(tolerance());
+    reference_->resume({scene_at_rest(), static_cast<Phase>(static_cast<int>(phase)),
+                        static_cast<RacketContacts::Place>(static_cast<int>(place))},
+                       all[i + 1], ball_from(all, i + 2), all[i]);
+    return true;
+  }
   Racket scene = bare_scene();
-  scene.side = round_.side;
+  begin_with(round_, scene);
   walk_.emplace(scene, time(), round_.ball);
   walk_->resume(all[i], ball_from(all, i + 1), static_cast<Phase>(static_cast<int>(phase)));
   return true;

@@ -30,7 +30,8 @@ struct Settings {
 /// One round of the game, from the serve to the loss: all that the next step depends on.
 struct Round {
   State<Eigen::Vector3d> ball{{0, 1, 0}, {0, 0, 0}};
-  int side = 1;
+  int side = 1;  // these two as in Racket
+  bool through = false;
   Grip grip;
   Score score;
   Input from, to;        // the racket's aim goes evenly from one to the other,
@@ -46,6 +47,16 @@ struct Round {
   double touch_clock = -1e9;  // s
   Eigen::Vector3d touch_place{0, 0, 0};
 };
+
+/// The racket remembers from one step to the next on which side of it the ball is.
+inline void begin_with(const Round& round, Racket& scene) {
+  scene.side = round.side;
+  scene.through = round.through;
+}
+inline void end_with(Round& round, const Racket& scene) {
+  round.side = scene.side;
+  round.through = scene.through;
+}
 
 /// Where the blind player's racket and ball are at the start: the ball at the top of its flight.
 struct BlindStart {
@@ -160,10 +171,10 @@ void step(const Settings& settings, Round& round, double dt, const MoveBall& mov
   scene.gravity = gravity_of(settings, round);
   scene.disc = disc;
   scene.since = 0;
-  scene.side = round.side;
+  begin_with(round, scene);
   const Eigen::Vector3d before = round.ball.velocity - scene.disc.velocity;
   const long long touches = move_ball(scene, round.ball, dt);
-  round.side = scene.side;
+  end_with(round, scene);
 
   const NearestPoint nearest = scene.nearest(scene.disc_at(dt), round.ball.position);
   if (touches > 0) {

@@ -1,8 +1,12 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <memory>
 #include <string>
 
+#include "08_racket_game/racket_run.hpp"
+#include "app/player.hpp"
 #include "run_program.hpp"
 
 using namespace bounce;
@@ -24,4 +28,45 @@ TEST_CASE("the racket game draws itself, whoever plays") {
     CHECK(fs::file_size(picture) > 10000);  // more than an empty page
   }
   fs::remove(picture);
+}
+
+TEST_CASE("the racket game goes on by 0.1 s after a stall of 30 s, as if there had been none") {
+  RacketRun steady;
+  steady.play_as(PlayerKind::autopilot);
+  steady.use_seed(5);
+  steady.restart();
+  Player player(steady.clone());
+  long long touches = 0;
+  for (int frame = 0; frame < 200; ++frame) {
+    const double before = player.shown_time();
+    // Every third frame hangs: whatever the ball is doing then, in flight or in the racket.
+    player.frame(frame % 3 == 0 ? 30 : 1.0 / 60);
+    CHECK(player.shown_time() - before <= 0.1 + 1e-9);
+    CHECK(player.trouble().empty());
+    // The same steps as in a run without a window: nothing was jumped over or caught up later.
+    const RacketRun& shown = static_cast<const RacketRun&>(player.simulation());
+    steady.advance_to(shown.time());
+    REQUIRE(shown.values() == steady.values());
+    touches = shown.round().touches;
+    CHECK_FALSE(shown.round().score.lost);
+    CHECK(shown.round().ball.velocity.norm() < 10);
+  }
+  CHECK(touches > 5);
+}
+
+TEST_CASE("after a stall the racket is where it could get in 0.1 s, not where the mouse is") {
+  RacketRun run;
+  run.play_as(PlayerKind::human);
+  run.restart();
+  Player player(run.clone());
+  for (int frame = 0; frame < 20; ++frame) player.frame(1.0 / 60);
+  RacketRun& played = static_cast<RacketRun&>(player.simulation());
+  const double before = played.disc().centre.x();
+  Input far;  // the mouse moved on while the window hung
+  far.x = 1.2;
+  played.want(far);
+  player.frame(30);
+  const double moved = static_cast<RacketRun&>(player.simulation()).disc().centre.x() - before;
+  CHECK(moved > 0.01);
+  CHECK(moved <= sideways.speed * 0.1);
 }

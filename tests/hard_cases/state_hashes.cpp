@@ -80,6 +80,8 @@ const Runs all_runs[] = {
     {8, Needs::arithmetic, "--player none"},
     {8, Needs::arithmetic,
      "--player none --set racket_normal=0.1,1,0 --set racket_velocity=0,0.2,0"},
+    {8, Needs::functions, "--player none --set position=0.33,1,0.1 --set racket_velocity=0.1,0.3,0",
+     1},
     {8, Needs::functions, "--player autopilot"},
     {8, Needs::functions, "--player blind"},
     {8, Needs::functions, "--player idle"}};

@@ -117,6 +117,12 @@ void add_simulated_cases(std::vector<Case>& all) {
   add_case(all, "racket", 8, "a ball over a racket that rises and moves aside, 2 s", 2,
            {Method::exact, 0, 2e-6}, racket,
            {{"racket_velocity", "0.2,0.5,0"}, {"velocity", "0.2,0,0"}});
+
+  const auto rim = std::make_shared<RacketRun>();
+  rim->play_as(PlayerKind::none);
+  add_case(all, "rim", 8, "a ball on the rim of a racket that moves aside, 1 s", 1,
+           {Method::reference, 1e-15, 2e-6}, rim,
+           {{"racket_velocity", "0.2,0.5,0"}, {"position", "0.33,1,0.1"}});
 }
 
 }  // namespace bounce::report

@@ -506,7 +506,7 @@ TEST_CASE("stage 8: a saved game goes on as if it had not stopped") {
   CHECK(ball_of(resumed).position == ball_of(whole).position);
   CHECK(resumed.round().score.hits == whole.round().score.hits);
 
-  for (const Method method : {Method::semi_implicit_euler, Method::exact}) {
+  for (const Method method : {Method::semi_implicit_euler, Method::reference, Method::exact}) {
     RacketRun ball = bare({{"racket_velocity", "0,0.5,0"}}, method);
     ball.advance_to(0.4271);
     save_state(path, stage, ball);
@@ -539,7 +539,8 @@ TEST_CASE("stage 8: the command line") {
        {"--player autopil", "--player ''", "--set racket_normal=0,0,0", "--set racket_radius=0",
         "--set racket_radius=-1", "--set racket_velocity=0,nan,0", "--set racket_position=1,2",
         "--set assist=101", "--set strike=up", "--replay /nowhere/file",
-        "--record-input /nowhere/file", "--method exact", "--player none --method rk5"}) {
+        "--record-input /nowhere/file", "--method exact", "--method reference",
+        "--player none --method rk5"}) {
     const test::Outcome outcome =
         test::run_program(std::string("08_racket_game --headless ") + bad);
     CAPTURE(bad);
