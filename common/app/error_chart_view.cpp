@@ -130,6 +130,7 @@ void draw_methods(Canvas& canvas, const Axes& axes, const ErrorChart& chart, Met
 /// Two lines on what the simulation uses now.
 std::array<std::string, 2> sentence(const ErrorChart& chart, Method method, double dt) {
   if (method == Method::exact) return {"now: exact", "no steps, and no error but rounding"};
+  if (method == Method::reference) return {"now: reference", "it chooses its steps itself"};
   const std::optional<ErrorChart::Dot> now = chart.now();
   char what[80], how[80];
   std::snprintf(what, sizeof what, "now: %s, dt %.4g s", name_of(method).c_str(), dt);
