@@ -62,7 +62,7 @@ void add_saved_states(const std::vector<Known>& all, std::vector<Line>& lines) {
     for (const std::string& method : known.methods) {
       std::vector<std::string> words{"--headless", "--duration", "0.46", "--save",
                                      "state",      "--method",   method};
-      if (program == "08_racket_game" && method == "exact")
+      if (program == "08_racket_game" && (method == "exact" || method == "reference"))
         words.insert(words.end(), {"--player", "none"});
       folder.run(program, words, {}, 60);
       const std::string saved = folder.read("state");
