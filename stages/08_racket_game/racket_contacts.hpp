@@ -77,7 +77,7 @@ class RacketContacts {
   }
   void land(double /*t*/, Ball& ball) {
     if (!lands_) return;                              // the search goes on from here
-    side_ = normal_.dot(ball.velocity) < 0 ? 1 : -1;  // a tiny ball's height is all rounding
+    side_ = normal_.dot(ball.position) < 0 ? -1 : 1;
     place_ = see(ball).x < 0 ? Place::face : Place::rim;
     phase_ = Phase::touch;
   }
