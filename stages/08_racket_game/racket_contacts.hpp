@@ -76,7 +76,7 @@ class RacketContacts {
     return touch.found || touch.t <= until ? touch.t : never;
   }
   void land(double /*t*/, Ball& ball) {
-    if (!lands_) return;                              // the search goes on from here
+    if (!lands_) return;  // the search goes on from here
     side_ = normal_.dot(ball.position) < 0 ? -1 : 1;
     place_ = see(ball).x < 0 ? Place::face : Place::rim;
     phase_ = Phase::touch;
