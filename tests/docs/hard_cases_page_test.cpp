@@ -14,8 +14,9 @@ TEST_CASE("every case of the page of hard cases names a test that is there") {
     names += test::run_program(program + " -ltc").out;
   }
   // The window's tests are there where SDL2 is.
-  const std::string of_window =
-      test::read_file(std::string(BOUNCE_SOURCE_DIR) + "/tests/app/player_test.cpp");
+  const std::string folder = std::string(BOUNCE_SOURCE_DIR) + "/tests/app/";
+  const std::string of_window = test::read_file(folder + "player_test.cpp") +
+                                test::read_file(folder + "racket_game_test.cpp");
   std::istringstream page(test::read_file(std::string(BOUNCE_SOURCE_DIR) + "/docs/hard_cases.md"));
   int cases = 0;
   for (std::string line; std::getline(page, line);) {
