@@ -170,8 +170,8 @@ inline PhaseEnd BouncePhases::end_of_touch(const State<double>& start) const {
   const double k = contact_.stiffness, c = contact_.damping, v = start.velocity;
   if (c == 0 && start.position == radius_ && v < 0) {
     // An undamped contact is its own mirror image in time: the ball leaves as fast as it came.
-    // Every touch but a run's first begins here, at overlap 0. (The C library's atan takes a
-    // quarter of the time of its atan2, and that was most of a bounce.)
+    // Every touch but a run's first begins here, at overlap 0. (The C library's atan takes less
+    // than half the instructions of its atan2, and that was most of a bounce.)
     const double swing = std::numbers::pi + 2 * std::atan(omega0_ * sag_ / -v);
     return {swing / omega0_, Phase::flight, {radius_, -v}};
   }

@@ -35,6 +35,7 @@ namespace bounce {
 ///   void pass(watch, t, state)              it happens
 ///   double time_scale()                     of the fastest contact [s]: for the first step
 ///   double shortest_phase()                 see too_short() in event_driven.hpp; optional
+///   jumps_without_event                     a constant, if the law may do so; optional
 template <class Contacts, class Vector>
 class Reference {
  public:
@@ -173,10 +174,13 @@ class Reference {
             step_after_};
   }
 
+  static constexpr bool law_jumps = requires { Contacts::jumps_without_event; };
+
   double shortest_step() const { return 4 * std::numeric_limits<double>::epsilon() * t_; }
 
-  /// A step whose error is within the tolerance; `after_` is its end. Where a law jumps without an
-  /// event (two balls run through each other, centre through centre), the shortest step has to do.
+  /// A step whose error is within the tolerance; `after_` is its end. Where a law may jump without
+  /// an event (two balls run through each other, centre through centre), the shortest step has to
+  /// do. Elsewhere nothing can be said of an error that such a step does not make small.
   double accurate_step() {
     double h = step_;
     bool shortened = false;
@@ -186,8 +190,8 @@ class Reference {
       step_after_ = error > 0 ? DormandPrince<Vector>::better_step(h, error) : 6 * h;
       if (error <= 1) break;
       if (!(h > shortest_step())) {
-        if (!std::isfinite(error)) throw TimeStandsStill(t_);
-        break;
+        if (law_jumps && std::isfinite(error)) break;
+        throw TimeStandsStill(t_);
       }
       h = std::min(step_after_, 0.9 * h);
       shortened = true;

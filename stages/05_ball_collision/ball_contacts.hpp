@@ -22,6 +22,9 @@ namespace bounce {
 /// that have a speed against each other do not stay within rounding.
 class BallContacts {
  public:
+  /// Two balls that run through each other, centre through centre.
+  static constexpr bool jumps_without_event = true;
+
   using Balls = State<Eigen::Matrix3Xd>;
   struct Watch {
     Touching two;

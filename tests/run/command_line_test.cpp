@@ -287,6 +287,15 @@ TEST_CASE("a state that becomes infinite: exit code 3, the time, and a step that
   CHECK(lines(trace).size() >= 2);
 }
 
+TEST_CASE("reference: a contact of a few spacings of doubles ends with exit code 3") {
+  // The ball lands after 4.5e6 s, where neighbouring doubles are 1 ns apart. It touches for 31 ns.
+  const Outcome run = run_program(
+      "03_damping --headless --method reference --set position=1e14 --set velocity=-1e3 "
+      "--set stiffness=1e16 --duration 1e12");
+  CAPTURE(run.err);
+  CHECK(run.code == 3);
+}
+
 TEST_CASE("extreme but valid parameters run, or end with a sentence") {
   for (const std::string options :
        {"--set mass=1e-12 --set stiffness=1e9", "--set mass=1e6",
