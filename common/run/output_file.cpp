@@ -17,12 +17,13 @@ namespace bounce {
 
 namespace fs = std::filesystem;
 
-static int process_id() {
+std::string part_path(const std::string& path) {
 #ifdef _WIN32
-  return _getpid();
+  const int process = _getpid();
 #else
-  return getpid();
+  const int process = getpid();
 #endif
+  return path + "." + std::to_string(process) + ".part";
 }
 
 OutputFile::OutputFile(std::string option, const std::string& path)
@@ -38,7 +39,7 @@ OutputFile::OutputFile(std::string option, const std::string& path)
     throw BadInput(option_ + " '" + path + "' is not allowed: it must be the path of a file");
   }
   const bool direct = fs::exists(target) && !fs::is_regular_file(target);
-  part_ = direct ? path_ : path_ + "." + std::to_string(process_id()) + ".part";
+  part_ = direct ? path_ : part_path(path_);
   // A file that is there must be one that may be changed, though it is replaced in the end.
   std::FILE* old = direct || !fs::exists(target) ? nullptr : std::fopen(path_.c_str(), "ab");
   const bool refused = fs::exists(target) && !direct && old == nullptr;

@@ -11,9 +11,12 @@ struct MachineFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A file that appears under its name only when it is complete: it is written beside the target as
-/// NAME.<process>.part and renamed by `finish`; without `finish` nothing stays behind. A target
-/// that is no regular file (a device, a pipe) is written directly, and "-" is standard output.
+/// Where an output stands until it is complete: beside its target, as PATH.<process>.part.
+std::string part_path(const std::string& path);
+
+/// A file that appears under its name only when it is complete: it is written at its `part_path`
+/// and renamed by `finish`; without `finish` nothing stays behind. A target that is no regular file
+/// (a device, a pipe) is written directly, and "-" is standard output.
 class OutputFile {
  public:
   /// `option` is what the user gave the path to, for messages ("--csv"). Throws BadInput when the

@@ -5,23 +5,9 @@
 #include "physics/text.hpp"
 #include "run/output_file.hpp"
 
-#ifdef _WIN32
-#include <process.h>
-#else
-#include <unistd.h>
-#endif
-
 namespace bounce {
 
 namespace fs = std::filesystem;
-
-static int process_id() {
-#ifdef _WIN32
-  return _getpid();
-#else
-  return getpid();
-#endif
-}
 
 OutputFolder::OutputFolder(const std::string& option, const std::string& path) : option_(option) {
   std::error_code error;
@@ -32,7 +18,7 @@ OutputFolder::OutputFolder(const std::string& option, const std::string& path) :
     throw BadInput(option + " '" + path +
                    "' is not allowed: it must be a folder that does not exist yet, or is empty");
   }
-  part_ = path_.string() + "." + std::to_string(process_id()) + ".part";
+  part_ = part_path(path_.string());
   if (!fs::create_directory(part_, error) || error) {
     throw BadInput(option + " '" + path + "' cannot be written (" + error.message() +
                    "): it must be in a folder that exists and that you may write to");

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -17,6 +16,7 @@
 #include "03_damping/exact.hpp"
 #include "04_three_dimensions/three_dimensions.hpp"
 #include "07_tilted_plane/exact.hpp"
+#include "docs/tables.hpp"
 #include "physics/event_driven.hpp"
 #include "physics/integrators.hpp"
 #include "physics/stability.hpp"
@@ -467,12 +467,7 @@ void long_normal() {
   }
 }
 
-struct Table {
-  const char* name;
-  void (*print)();
-};
-
-const Table tables[] = {
+const bounce::test::Table tables[] = {
     {"fall_error", fall_error},
     {"stiffness", stiffness},
     {"height_band", height_band},
@@ -492,13 +487,4 @@ const Table tables[] = {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  for (const Table& table : tables) {
-    if (argc != 2 || std::strcmp(argv[1], table.name) != 0) continue;
-    table.print();
-    return 0;
-  }
-  std::fprintf(stderr, "usage: lesson_numbers TABLE, where TABLE is one of\n");
-  for (const Table& table : tables) std::fprintf(stderr, "  %s\n", table.name);
-  return 2;
-}
+int main(int argc, char** argv) { return bounce::test::print_table(tables, argc, argv); }

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <numbers>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "06_oscillating_floor/sweep.hpp"
+#include "docs/tables.hpp"
 #include "physics/event_driven.hpp"
 #include "physics/integrators.hpp"
 
@@ -198,23 +198,10 @@ void error() {
   }
 }
 
-struct Table {
-  const char* name;
-  void (*print)();
-};
-constexpr Table tables[] = {
+const bounce::test::Table tables[] = {
     {"moving_floor", moving_floor}, {"sudden", sudden}, {"heights", heights},
     {"parting", parting},           {"trust", trust},   {"error", error}};
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  for (const Table& table : tables) {
-    if (argc != 2 || std::strcmp(argv[1], table.name) != 0) continue;
-    table.print();
-    return 0;
-  }
-  std::fprintf(stderr, "usage: lesson_numbers_06 TABLE, where TABLE is one of\n");
-  for (const Table& table : tables) std::fprintf(stderr, "  %s\n", table.name);
-  return 2;
-}
+int main(int argc, char** argv) { return bounce::test::print_table(tables, argc, argv); }

@@ -3,9 +3,10 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <initializer_list>
 #include <numbers>
+
+#include "docs/tables.hpp"
 
 namespace {
 
@@ -67,11 +68,8 @@ void heap() {
   }
 }
 
+const bounce::test::Table tables[] = {{"domains", domains}, {"heap", heap}};
+
 }  // namespace
 
-int main(int argc, char** argv) {
-  if (argc == 2 && std::strcmp(argv[1], "domains") == 0) return domains(), 0;
-  if (argc == 2 && std::strcmp(argv[1], "heap") == 0) return heap(), 0;
-  std::fprintf(stderr, "usage: lesson_numbers_beyond domains|heap\n");
-  return 2;
-}
+int main(int argc, char** argv) { return bounce::test::print_table(tables, argc, argv); }
