@@ -514,12 +514,12 @@ inline bool RacketRun::recall_numbers(const std::vector<double>& all) {
   const double phase = all.back();
   if (!(phase == 0 || phase == 1 || phase == 2) || is_game()) return false;
   if (reference) {
-    const double place = all[i + 8];
-    if (!(place == 0 || place == 1 || place == 2)) return false;
+    const double step = all[i], place = all[i + 8];
+    if (!(step > 0) || !(place == 0 || place == 1 || place == 2)) return false;
     reference_ = reference_from_here(tolerance());
     reference_->resume({scene_at_rest(), static_cast<Phase>(static_cast<int>(phase)),
                         static_cast<RacketContacts::Place>(static_cast<int>(place))},
-                       all[i + 1], ball_from(all, i + 2), all[i]);
+                       all[i + 1], ball_from(all, i + 2), step);
     return true;
   }
   Racket scene = bare_scene();
