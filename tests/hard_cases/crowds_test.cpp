@@ -83,7 +83,8 @@ TEST_CASE("hard case: the order in which the balls are named does not matter, to
     double damping;
     int steps;  // of 1e-4 s
   };
-  for (const auto& [damping, steps] : {Collapse{20, 1000}, Collapse{200, 5000}}) {
+  for (const Collapse& collapse : {Collapse{20, 1000}, Collapse{200, 5000}}) {
+    const double damping = collapse.damping;
     std::mt19937_64 random(5);
     std::uniform_real_distribution<double> anywhere(0.1, 1.2);
     constexpr int count = 150;
@@ -114,7 +115,7 @@ TEST_CASE("hard case: the order in which the balls are named does not matter, to
       shuffled.velocity.col(i) = balls.velocity.col(from);
     }
     const double before = scene.energy(balls).total();
-    for (int step = 0; step < steps; ++step) {
+    for (int step = 0; step < collapse.steps; ++step) {
       semi_implicit_euler(scene, 0, balls, 1e-4);
       semi_implicit_euler(other, 0, shuffled, 1e-4);
     }
