@@ -257,11 +257,10 @@ void Panel::measure_cost(const Player& player) {
 void Panel::draw_cost_and_error(Player& player) {
   heading("cost and error, now");
   const Simulation& simulation = player.simulation();
-  if (goes_by_events(simulation.method())) {
-    const bool formula = simulation.method() == Method::exact;
-    ImGui::Text(formula ? "no steps: from event to event by formula"
-                        : "steps chosen for a tolerance of %.2g",
-                simulation.tolerance());
+  if (simulation.method() == Method::exact) {
+    ImGui::Text("no steps: from event to event by formula");
+  } else if (simulation.method() == Method::reference) {
+    ImGui::Text("steps chosen for a tolerance of %.2g", simulation.tolerance());
   } else {
     // Where events are located, how many there are depends on the movement: they are counted.
     const int a_step = force_evaluations_per_step(simulation.method());

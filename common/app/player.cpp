@@ -123,8 +123,8 @@ void Player::step_forward() {
   paused = true;
   if (!trouble_.empty()) return;
   past_.push_back(simulation_->clone());
-  const bool exact = goes_by_events(simulation_->method());
-  move_to(exact ? simulation_->time() + simulation_->dt() : simulation_->time_of_next_step());
+  const bool by_events = goes_by_events(simulation_->method());
+  move_to(by_events ? simulation_->time() + simulation_->dt() : simulation_->time_of_next_step());
 }
 
 void Player::step_back() {
@@ -193,21 +193,21 @@ std::vector<TracePoint> Player::future(double seconds) const {
   const double end = ahead->time() + seconds;
   std::vector<TracePoint> points;
   try {
-    const bool exact = goes_by_events(ahead->method());
-    const double stride = exact ? trace_interval : std::max(ahead->dt(), trace_interval);
+    const bool by_events = goes_by_events(ahead->method());
+    const double stride = by_events ? trace_interval : std::max(ahead->dt(), trace_interval);
     // About a millisecond for one ball, and with many not much longer.
     const double most_steps = 2e5 / static_cast<double>(ahead->balls());
-    const double reach = exact ? end : std::min(end, ahead->time() + most_steps * ahead->dt());
+    const double reach = by_events ? end : std::min(end, ahead->time() + most_steps * ahead->dt());
     const auto begin = std::chrono::steady_clock::now();
     while (ahead->time() < reach && points.size() < 4000) {
       // How long an event takes, nobody knows before: with many balls `reference` is slow.
       const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-      if (exact && ahead->balls() > 1 && taken.count() > frame_budget) break;
+      if (by_events && ahead->balls() > 1 && taken.count() > frame_budget) break;
       points.push_back(point(*ahead));
       points.back().t += later;
       const double whole = std::max(1.0, std::round(stride / ahead->dt()));
-      ahead->advance_to(exact ? ahead->time() + stride
-                              : ahead->time_of_next_step() + (whole - 1) * ahead->dt());
+      ahead->advance_to(by_events ? ahead->time() + stride
+                                  : ahead->time_of_next_step() + (whole - 1) * ahead->dt());
     }
   } catch (const std::exception&) {  // the path ends where the run would
   }

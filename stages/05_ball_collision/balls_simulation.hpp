@@ -390,7 +390,7 @@ inline double BallsSimulation::go_by_events_towards(double t, long long most_eve
   if (!reference_) throw NoClosedForm(time(), why_not_so_many);
   // So many that one can be heard in between.
   const auto pairs = static_cast<long long>(balls() * balls());
-  const long long most = std::max(1LL, most_events / (10 * pairs));
+  const long long most = std::max(1LL, most_events / pairs);
   const double there = reference_->reach(t, most) ? t : reference_->piece_start();
   state_ = reference_->at(there);
   return there;

@@ -27,7 +27,7 @@ ChildFolder::~ChildFolder() {
 
 Child ChildFolder::run(const std::string& program, const std::vector<std::string>& words,
                        const std::vector<InputFile>& files, double seconds) {
-  const std::string work = path_ + "/work", out = path_ + "/out", err = path_ + "/err";
+  const std::string work = path_ + "/run", out = path_ + "/out", err = path_ + "/err";
   const std::string binary = BOUNCE_BIN_DIR "/" + program;
   fs::remove_all(work);
   fs::create_directories(work);
@@ -75,7 +75,7 @@ Child ChildFolder::run(const std::string& program, const std::vector<std::string
 }
 
 std::string ChildFolder::read(const std::string& name) const {
-  return read_file(path_ + "/work/" + name);
+  return read_file(path_ + "/run/" + name);
 }
 
 }  // namespace bounce::test
