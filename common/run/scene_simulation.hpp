@@ -1,8 +1,10 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -13,6 +15,7 @@
 #include "physics/located_events.hpp"
 #include "physics/one_ball.hpp"
 #include "physics/reference.hpp"
+#include "run/saved_numbers.hpp"
 #include "run/simulation.hpp"
 
 namespace bounce {
@@ -103,7 +106,7 @@ class SceneSimulation final : public Simulation {
   }
 
   void place(const std::vector<double>& values) override {
-    state_ = state_from(values, values.size() - 2 * dimensions);
+    state_ = SavedNumbers(std::span(values).last(2 * dimensions)).template state<Vector>();
     parameters_changed();
   }
   void parameters_changed() override {
@@ -203,22 +206,14 @@ class SceneSimulation final : public Simulation {
     if (method() == Method::velocity_verlet && verlet_.acceleration) {
       append(all, *verlet_.acceleration);
     }
-    const auto append_phase = [&](double start, const State<Vector>& at_start, Phase phase) {
-      all.push_back(start);
-      append(all, at_start.position);
-      append(all, at_start.velocity);
-      all.push_back(static_cast<double>(phase));
-    };
-    if (method() == Method::exact) {
-      append_phase(walker_.last_event(), walker_.state_at_last_event(), walker_.phase());
-    } else if (is_located()) {
-      if constexpr (locates_events) {
-        append_phase(located_.phase_start(), located_.state_at_phase_start(), located_.phase());
-      }
-    } else if (method() == Method::reference) {
-      if constexpr (locates_events) {
+    if (method() == Method::exact) append_walker(all);
+    if constexpr (locates_events) {
+      if (is_located()) {
+        append_phase(all, located_.phase_start(), located_.state_at_phase_start(),
+                     located_.phase());
+      } else if (method() == Method::reference) {
         all.push_back(reference_->next_step());
-        append_phase(reference_->piece_start(), reference_->state_at_piece_start(),
+        append_phase(all, reference_->piece_start(), reference_->state_at_piece_start(),
                      reference_->contacts().phase());
       }
     }
@@ -226,46 +221,29 @@ class SceneSimulation final : public Simulation {
   }
 
   bool recall_numbers(const std::vector<double>& all) override {
-    constexpr std::size_t of_state = 2 * dimensions;
-    if (all.size() < of_state) return false;
-    const std::size_t own = all.size() - of_state;
-    state_ = state_from(all, 0);
+    SavedNumbers saved(all);
+    state_ = saved.template state<Vector>();
     switch (method()) {
       case Method::velocity_verlet:
         verlet_.acceleration.reset();
-        if (own == dimensions) verlet_.acceleration = vector_from(all, of_state);
-        return own == 0 || own == dimensions;
+        if (saved.left() > 0) verlet_.acceleration = saved.template vector<Vector>();
+        return saved.all_is_well();
       case Method::rk4_events:
       case Method::flight_rk4:
+        return recall_located(saved);
       case Method::reference:
-      case Method::exact: {
-        const double number = all.back();
-        const std::size_t begin = of_state + (method() == Method::reference ? 1 : 0);
-        if (all.size() != begin + of_state + 2 || !(number == 0 || number == 1 || number == 2)) {
-          return false;
-        }
-        const State<Vector> start = state_from(all, begin + 1);
-        const auto phase = static_cast<Phase>(static_cast<int>(number));
-        if (method() == Method::exact) {
-          walker_.resume(all[begin], start, phase);
-        } else if constexpr (locates_events) {
-          if (method() == Method::reference) {
-            if (!(all[of_state] > 0)) return false;  // the next step
-            reference_.emplace(fresh_reference());
-            reference_->resume({Exact(scene_), phase}, all[begin], start, all[of_state]);
-          } else {
-            located_.resume(all[begin], start, phase);
-          }
-        }
-        return true;
-      }
+        return recall_reference(saved);
+      case Method::exact:
+        return recall_walker(saved);
       default:
-        return own == 0;
+        return saved.all_is_well();
     }
   }
 
  private:
   using Walker = EventDriven<Exact, Vector>;
+  // Does the walker go along the contact's direction only (event_driven_in_space.hpp)?
+  static constexpr bool splits = requires(const Walker& walker) { walker.beside_at_start(); };
   static constexpr bool floor_moves = requires(const Scene& scene) { scene.floor_height(0.0); };
 
   // Does the closed form also tell what located events need?
@@ -320,24 +298,62 @@ class SceneSimulation final : public Simulation {
     return all;
   }
 
-  // State <-> plain numbers, in the order of the trace: position, then velocity.
-  static void append(std::vector<double>& all, const Vector& vector) {
-    for (const double number : components(vector)) all.push_back(number);
+  // ---- The phase that a method is in, as plain numbers: when it began, with what, and which it is
+  template <class At>
+  static void append_phase(std::vector<double>& all, double start, const At& at_start,
+                           Phase phase) {
+    all.push_back(start);
+    append(all, at_start);
+    all.push_back(static_cast<double>(phase));
   }
-  static std::vector<double> numbers_of(const State<Vector>& state) {
-    std::vector<double> all;
-    append(all, state.position);
-    append(all, state.velocity);
-    return all;
+  void append_walker(std::vector<double>& all) const {
+    if constexpr (splits) {
+      all.push_back(walker_.start());
+      append(all, walker_.beside_at_start());
+      append_phase(all, walker_.last_event(), walker_.along_at_last_event(), walker_.phase());
+    } else {
+      append_phase(all, walker_.last_event(), walker_.state_at_last_event(), walker_.phase());
+    }
   }
-  static Vector vector_from(const std::vector<double>& all, std::size_t first) {
-    Vector vector;
-    for (double& number : components(vector)) number = all.at(first++);
-    return vector;
+  bool recall_walker(SavedNumbers& saved) {
+    if constexpr (splits) {
+      const double start = saved.number();
+      const State<Vector> beside = saved.template state<Vector>();
+      const double since = saved.number();
+      const State<double> along = saved.state<double>();
+      const Phase phase = saved.phase();
+      if (saved.all_is_well()) walker_.resume(start, beside, since, along, phase);
+    } else {
+      const double since = saved.number();
+      const State<Vector> at_start = saved.template state<Vector>();
+      const Phase phase = saved.phase();
+      if (saved.all_is_well()) walker_.resume(since, at_start, phase);
+    }
+    return saved.all_is_well();
   }
-  static State<Vector> state_from(const std::vector<double>& all, std::size_t first) {
-    return {vector_from(all, first), vector_from(all, first + dimensions)};
+  bool recall_located(SavedNumbers& saved) {
+    const double since = saved.number();
+    const State<Vector> at_start = saved.template state<Vector>();
+    const Phase phase = saved.phase();
+    if constexpr (locates_events) {
+      if (saved.all_is_well()) located_.resume(since, at_start, phase);
+    }
+    return saved.all_is_well();
   }
+  bool recall_reference(SavedNumbers& saved) {
+    const double next_step = saved.number_in(std::numeric_limits<double>::denorm_min(), never);
+    const double since = saved.number();
+    const State<Vector> at_start = saved.template state<Vector>();
+    const Phase phase = saved.phase();
+    if constexpr (locates_events) {
+      if (saved.all_is_well()) {
+        reference_.emplace(fresh_reference());
+        reference_->resume({Exact(scene_), phase}, since, at_start, next_step);
+      }
+    }
+    return saved.all_is_well();
+  }
+
   static bool all_finite(const State<Vector>& state) {
     return bounce::is_finite(state.position) && bounce::is_finite(state.velocity);
   }

@@ -3,65 +3,76 @@
 #include <array>
 
 #include "physics/closed_form.hpp"
+#include "physics/event_driven_in_space.hpp"
 #include "three_dimensions.hpp"
 
 namespace bounce {
 
 /// Stage 4 in closed form. No force mixes the directions, so there are three problems side by side:
 /// up and down it is stage 3, and sideways the ball moves uniformly.
-struct ThreeDimensionsExact {
+class ThreeDimensionsExact {
+  using Ball = State<Eigen::Vector3d>;
+
+  /// Stage 3, if there is a floor.
+  struct Upwards : BouncePhases {
+    Phase phase_at(const State<double>& y) const {
+      return floor ? BouncePhases::phase_at(y) : Phase::flight;
+    }
+    PhaseEnd end_of(Phase phase, const State<double>& y) const {
+      return floor ? BouncePhases::end_of(phase, y) : PhaseEnd{never, Phase::flight};
+    }
+    bool floor;
+  };
+
+ public:
   explicit ThreeDimensionsExact(const ThreeDimensions& scene)
-      : upwards{scene.mass,
-                scene.gravity,
-                scene.radius,
-                {scene.stiffness, scene.damping, scene.contact}},
-        floor(scene.floor) {}
+      : upwards{{scene.mass,
+                 scene.gravity,
+                 scene.radius,
+                 {scene.stiffness, scene.damping, scene.contact}},
+                scene.floor} {}
 
-  Phase phase_at(const State<Eigen::Vector3d>& state) const {
-    return floor ? upwards.phase_at(along_y(state)) : Phase::flight;
+  // ---- The two parts of the movement (event_driven_in_space.hpp)
+  const Upwards& bounce() const { return upwards; }
+  State<double> along(const Ball& ball) const { return {ball.position.y(), ball.velocity.y()}; }
+  Ball beside(Ball ball) const {
+    ball.position.y() = ball.velocity.y() = 0;
+    return ball;
   }
-  State<Eigen::Vector3d> move(Phase phase, const State<Eigen::Vector3d>& start, double t) const {
-    return with_y(sideways(start, t), upwards.move(phase, along_y(start), t));
+  Ball move_beside(const Ball& start, double t) const {
+    return {start.position + start.velocity * t, start.velocity};
   }
-  PhaseEnd end_of(Phase phase, const State<Eigen::Vector3d>& start) const {
-    return floor ? upwards.end_of(phase, along_y(start)) : PhaseEnd{never, Phase::flight};
-  }
-  State<Eigen::Vector3d> arrive(const State<Eigen::Vector3d>& start, const PhaseEnd& end) const {
-    return with_y(sideways(start, end.after), upwards.arrive(along_y(start), end));
-  }
-  State<Eigen::Vector3d> at_event(Phase before, Phase after,
-                                  const State<Eigen::Vector3d>& state) const {
-    return with_y(state, upwards.at_event(before, after, along_y(state)));
+  Ball together(Ball beside, const State<double>& y) const {
+    beside.position.y() = y.position;
+    beside.velocity.y() = y.velocity;
+    return beside;
   }
 
-  // For methods that step but locate events
-  Eigen::Vector3d acceleration(Phase phase, double t, const State<Eigen::Vector3d>& state) const {
-    return {0, upwards.acceleration(phase, t, along_y(state)), 0};
+  // ---- For methods that step, but locate events or fly by formula
+  Phase phase_at(const Ball& ball) const { return upwards.phase_at(along(ball)); }
+  Ball move(Phase phase, const Ball& start, double t) const {
+    return together(move_beside(start, t), upwards.move(phase, along(start), t));
   }
-  Lasting touch_lasts(Phase next, double t, const State<Eigen::Vector3d>& state) const {
-    return upwards.touch_lasts(next, t, along_y(state));
+  PhaseEnd end_of(Phase phase, const Ball& start) const {
+    return upwards.end_of(phase, along(start));
+  }
+  Ball at_event(Phase before, Phase after, const Ball& ball) const {
+    return together(ball, upwards.at_event(before, after, along(ball)));
+  }
+  Eigen::Vector3d acceleration(Phase phase, double t, const Ball& ball) const {
+    return {0, upwards.acceleration(phase, t, along(ball)), 0};
+  }
+  Lasting touch_lasts(Phase next, double t, const Ball& ball) const {
+    return upwards.touch_lasts(next, t, along(ball));
   }
   std::array<Phase, 1> after_touch() const { return upwards.after_touch(); }
   double time_scale() const { return upwards.time_scale(); }
-  double max_bend(Phase next, double t, const State<Eigen::Vector3d>& state, double window) const {
-    return upwards.max_bend(next, t, along_y(state), window);
+  double max_bend(Phase next, double t, const Ball& ball, double window) const {
+    return upwards.max_bend(next, t, along(ball), window);
   }
 
  private:
-  static State<Eigen::Vector3d> sideways(const State<Eigen::Vector3d>& start, double t) {
-    return {start.position + start.velocity * t, start.velocity};
-  }
-  static State<double> along_y(const State<Eigen::Vector3d>& state) {
-    return {state.position.y(), state.velocity.y()};
-  }
-  static State<Eigen::Vector3d> with_y(State<Eigen::Vector3d> state, const State<double>& y) {
-    state.position.y() = y.position;
-    state.velocity.y() = y.velocity;
-    return state;
-  }
-
-  BouncePhases upwards;
-  bool floor;
+  Upwards upwards;
 };
 
 }  // namespace bounce
