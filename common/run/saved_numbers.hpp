@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -28,19 +29,27 @@ std::vector<double> numbers_of(const State<Vector>& state) {
   return all;
 }
 
-/// Takes them off again, one after the other. A file may hold anything: what is missing reads as 0,
-/// and is told at the end by `all_is_well`, as are numbers that are left over.
+/// A count in a file is no larger: doubles, and the types of all counters, hold it.
+inline constexpr long long most_count = 1'000'000'000'000'000'000;
+
+/// Takes them off again, one after the other. A file may hold anything: what is missing or not
+/// allowed reads as 0, and is told at the end by `all_is_well`, as are numbers that are left over.
 class SavedNumbers {
  public:
   explicit SavedNumbers(std::span<const double> numbers) : numbers_(numbers) {}
 
-  double number() { return number_in(-never, never); }
-  /// One that must lie between these two.
-  double number_in(double least, double most) {
-    const double value = left() > 0 ? numbers_[next_] : 0;
-    well_ = well_ && left() > 0 && value >= least && value <= most;
-    ++next_;
-    return value;
+  double number() {
+    return take([](double) { return true; });
+  }
+  double positive() {
+    return take([](double value) { return value > 0; });
+  }
+  /// A whole number between these two.
+  long long whole(long long least, long long most) {
+    return static_cast<long long>(take([=](double value) {
+      return value >= static_cast<double>(least) && value <= static_cast<double>(most) &&
+             value == std::floor(value);
+    }));
   }
   template <class Vector>
   Vector vector() {
@@ -53,18 +62,22 @@ class SavedNumbers {
     const Vector position = vector<Vector>();
     return {position, vector<Vector>()};
   }
-  Phase phase() { return static_cast<Phase>(whole(2)); }
-  /// A whole number from 0 to `most`.
-  int whole(int most) {
-    const int value = static_cast<int>(number_in(0, most));
-    well_ = well_ && value == numbers_[next_ - 1];
-    return value;
-  }
+  Phase phase() { return static_cast<Phase>(whole(0, 2)); }
 
   std::size_t left() const { return next_ < numbers_.size() ? numbers_.size() - next_ : 0; }
   bool all_is_well() const { return well_ && next_ == numbers_.size(); }
 
  private:
+  template <class Allowed>
+  double take(const Allowed& is_allowed) {
+    const bool is_there = next_ < numbers_.size();
+    const double value = is_there ? numbers_[next_] : 0;
+    ++next_;
+    if (is_there && is_allowed(value)) return value;
+    well_ = false;
+    return 0;
+  }
+
   std::span<const double> numbers_;
   std::size_t next_ = 0;
   bool well_ = true;

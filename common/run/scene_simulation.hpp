@@ -1,7 +1,6 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -341,7 +340,7 @@ class SceneSimulation final : public Simulation {
     return saved.all_is_well();
   }
   bool recall_reference(SavedNumbers& saved) {
-    const double next_step = saved.number_in(std::numeric_limits<double>::denorm_min(), never);
+    const double next_step = saved.positive();
     const double since = saved.number();
     const State<Vector> at_start = saved.template state<Vector>();
     const Phase phase = saved.phase();

@@ -6,7 +6,7 @@
 
 #include "03_damping/exact.hpp"
 #include "floating_point_traps.hpp"
-#include "run/scene_simulation.hpp"
+#include "stages/scene_simulations.hpp"
 
 using namespace bounce;
 

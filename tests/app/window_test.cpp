@@ -10,7 +10,7 @@
 #include "03_damping/exact.hpp"
 #include "app/layout.hpp"
 #include "app/side_view.hpp"
-#include "run/scene_simulation.hpp"
+#include "stages/scene_simulations.hpp"
 
 using namespace bounce;
 

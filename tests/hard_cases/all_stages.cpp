@@ -2,30 +2,9 @@
 
 #include <sstream>
 
-#include "01_free_fall/exact.hpp"
-#include "01_free_fall/free_fall.hpp"
-#include "02_spring_floor/exact.hpp"
-#include "02_spring_floor/spring_floor.hpp"
-#include "03_damping/damping.hpp"
-#include "03_damping/exact.hpp"
-#include "04_three_dimensions/exact.hpp"
-#include "04_three_dimensions/three_dimensions.hpp"
-#include "05_ball_collision/balls_simulation.hpp"
 #include "05_ball_collision/options.hpp"
-#include "06_oscillating_floor/exact.hpp"
-#include "06_oscillating_floor/oscillating_floor.hpp"
-#include "07_tilted_plane/exact.hpp"
-#include "07_tilted_plane/tilted_plane.hpp"
 #include "08_racket_game/options.hpp"
-#include "run/scene_simulation.hpp"
-
-namespace bounce {
-
-// Compiled in all_stages_in_space.cpp, beside this file: together they take a minute.
-extern template class SceneSimulation<ThreeDimensions, ThreeDimensionsExact>;
-extern template class SceneSimulation<TiltedPlane, TiltedPlaneExact>;
-
-}  // namespace bounce
+#include "stages/scene_simulations.hpp"
 
 namespace bounce::test {
 namespace {

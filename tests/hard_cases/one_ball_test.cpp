@@ -10,9 +10,9 @@
 #include "04_three_dimensions/exact.hpp"
 #include "07_tilted_plane/exact.hpp"
 #include "physics/event_driven.hpp"
-#include "run/scene_simulation.hpp"
 #include "run_program.hpp"
 #include "stages/methods.hpp"
+#include "stages/scene_simulations.hpp"
 
 using namespace bounce;
 using Eigen::Vector3d;

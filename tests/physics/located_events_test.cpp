@@ -14,8 +14,8 @@
 #include "04_three_dimensions/exact.hpp"
 #include "07_tilted_plane/exact.hpp"
 #include "physics/integrators.hpp"
-#include "run/scene_simulation.hpp"
 #include "stages/methods.hpp"
+#include "stages/scene_simulations.hpp"
 
 using namespace bounce;
 

@@ -13,9 +13,9 @@
 
 #include "03_damping/exact.hpp"
 #include "physics/reference_values.hpp"
-#include "run/scene_simulation.hpp"
 #include "run_program.hpp"
 #include "stages/methods.hpp"
+#include "stages/scene_simulations.hpp"
 
 using namespace bounce;
 

@@ -10,7 +10,7 @@
 #include "01_free_fall/exact.hpp"
 #include "03_damping/exact.hpp"
 #include "05_ball_collision/balls_simulation.hpp"
-#include "run/scene_simulation.hpp"
+#include "stages/scene_simulations.hpp"
 
 using namespace bounce;
 

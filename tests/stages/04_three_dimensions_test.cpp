@@ -13,8 +13,8 @@
 #include "04_three_dimensions/exact.hpp"
 #include "04_three_dimensions/three_dimensions.hpp"
 #include "run/save_load.hpp"
-#include "run/scene_simulation.hpp"
 #include "run_program.hpp"
+#include "stages/scene_simulations.hpp"
 
 using namespace bounce;
 using Eigen::Vector3d;

@@ -12,8 +12,8 @@
 
 #include "06_oscillating_floor/exact.hpp"
 #include "methods.hpp"
-#include "run/scene_simulation.hpp"
 #include "run_program.hpp"
+#include "stages/scene_simulations.hpp"
 
 using namespace bounce;
 

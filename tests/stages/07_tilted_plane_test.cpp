@@ -12,8 +12,8 @@
 #include "04_three_dimensions/three_dimensions.hpp"
 #include "07_tilted_plane/exact.hpp"
 #include "07_tilted_plane/tilted_plane.hpp"
-#include "run/scene_simulation.hpp"
 #include "run_program.hpp"
+#include "stages/scene_simulations.hpp"
 
 using namespace bounce;
 using Eigen::Vector3d;

@@ -14,8 +14,8 @@
 #include "08_racket_game/racket.hpp"
 #include "08_racket_game/racket_run.hpp"
 #include "run/save_load.hpp"
-#include "run/scene_simulation.hpp"
 #include "run_program.hpp"
+#include "stages/scene_simulations.hpp"
 
 using namespace bounce;
 using Eigen::Vector3d;

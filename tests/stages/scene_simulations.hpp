@@ -1,0 +1,26 @@
+#pragma once
+#include "01_free_fall/exact.hpp"
+#include "01_free_fall/free_fall.hpp"
+#include "02_spring_floor/exact.hpp"
+#include "02_spring_floor/spring_floor.hpp"
+#include "03_damping/damping.hpp"
+#include "03_damping/exact.hpp"
+#include "04_three_dimensions/exact.hpp"
+#include "04_three_dimensions/three_dimensions.hpp"
+#include "06_oscillating_floor/exact.hpp"
+#include "06_oscillating_floor/oscillating_floor.hpp"
+#include "07_tilted_plane/exact.hpp"
+#include "07_tilted_plane/tilted_plane.hpp"
+#include "run/scene_simulation.hpp"
+
+namespace bounce {
+
+// Compiled once, in scene_simulations.cpp and scene_simulations_in_space.cpp: each takes some
+// seconds. (Free fall has no contact, and is small.)
+extern template class SceneSimulation<SpringFloor, SpringFloorExact>;
+extern template class SceneSimulation<Damping, DampingExact>;
+extern template class SceneSimulation<ThreeDimensions, ThreeDimensionsExact>;
+extern template class SceneSimulation<OscillatingFloor, OscillatingFloorExact>;
+extern template class SceneSimulation<TiltedPlane, TiltedPlaneExact>;
+
+}  // namespace bounce
