@@ -177,8 +177,8 @@ int run_headless(const StageName& stage, Simulation& simulation, const Options& 
 
 double longest_seeing_step(const Simulation& simulation) {
   const double rate = simulation.swing_rate();
-  return rate > 0 && simulation.method() != Method::exact ? std::numbers::pi / 2 / rate
-                                                          : std::numeric_limits<double>::infinity();
+  const bool steps = !goes_by_events(simulation.method());
+  return rate > 0 && steps ? std::numbers::pi / 2 / rate : std::numeric_limits<double>::infinity();
 }
 
 std::string step_warning(const Simulation& simulation) {

@@ -1,6 +1,7 @@
 #include "docs/lesson_tool.hpp"
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 
@@ -125,9 +126,34 @@ Lines parameter_table(const std::string& stage, const Runner& run) {
   return table;
 }
 
-/// The block that belongs after the marker, with its fence.
-Lines block_for(const std::string& kind, const std::string& what, const fs::path& root,
-                const Runner& run) {
+/// The table `found`, but each row's second cell as the program tells it, by the row's first cell.
+Lines table_of_cases(const std::string& command, const Lines& found, const Runner& run) {
+  const std::string bar = " | ";
+  std::map<std::string, std::string> told;
+  for (const std::string& line : output_of(command, run)) {
+    const std::size_t at = std::min(line.find(bar), line.size());
+    if (at == line.size() || !told.emplace(line.substr(0, at), line.substr(at + 3)).second) {
+      throw Mistake(command + " should print CASE | TEXT, each case once: " + line);
+    }
+  }
+  Lines table(found.begin(), found.begin() + std::min<long>(2, std::ssize(found)));
+  for (std::size_t i = 2; i < found.size(); ++i) {
+    const std::string& row = found[i];
+    const std::size_t first = row.find(bar), second = row.find(" |", first + 2);
+    if (std::max(first, second) == std::string::npos)
+      throw Mistake("a row of cases has more cells: " + row);
+    const auto text = told.extract(row.substr(2, first - 2));
+    if (text.empty()) throw Mistake(command + " has no line for the case " + row);
+    table.push_back(row.substr(0, first) + bar + text.mapped() + row.substr(second));
+  }
+  if (!told.empty())
+    throw Mistake(command + " tells of a case without a row: " + told.begin()->first);
+  return table;
+}
+
+/// The block that belongs after the marker, with its fence; `found` is what stands there.
+Lines block_for(const std::string& kind, const std::string& what, const Lines& found,
+                const fs::path& root, const Runner& run) {
   const auto fenced = [](const std::string& language, Lines lines) {
     lines.insert(lines.begin(), "```" + language);
     lines.push_back("```");
@@ -137,6 +163,7 @@ Lines block_for(const std::string& kind, const std::string& what, const fs::path
   if (kind == "run") return fenced("text", output_of(what, run));
   if (kind == "list") return parameter_table(what, run);
   if (kind == "table") return output_of(what, run);
+  if (kind == "cases") return table_of_cases(what, found, run);
   const std::size_t bar = what.find(" | ");
   if (bar == std::string::npos) throw Mistake("a diff is FILE1 NAME1 | FILE2 NAME2: " + what);
   return fenced("diff",
@@ -173,7 +200,7 @@ struct Marker {
     }
     kind = line.substr(begin.size(), colon - begin.size());
     what = trimmed(line.substr(colon + 2, line.size() - end.size() - colon - 2));
-    const Lines kinds{"cut", "diff", "run", "list", "table", "by hand"};
+    const Lines kinds{"cut", "diff", "run", "list", "table", "cases", "by hand"};
     if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
       throw Mistake("there is no marker of the kind '" + kind + "'");
     }
@@ -206,14 +233,14 @@ CheckedLesson check_lesson(const fs::path& root, const fs::path& file, const std
       if (lines[i].rfind("<!--", 0) == 0) {
         const auto [kind, what] = Marker(lines[i]);
         end = lines.size();  // a fence that is never closed swallows the rest
-        end = end_of_block(lines, i + 1, kind == "list" || kind == "table");
+        end = end_of_block(lines, i + 1, kind == "list" || kind == "table" || kind == "cases");
         if (kind != "by hand") {
           if (kind == "run" && text.find(what) == text.rfind(what)) {
             throw Mistake("the text does not show the command of this block: " + what);
           }
-          const Lines block = block_for(kind, what, root, run);
           const Lines found(lines.begin() + static_cast<long>(i) + 1,
                             lines.begin() + static_cast<long>(end));
+          const Lines block = block_for(kind, what, found, root, run);
           if (found != block) {
             checked.drifted.push_back(
                 {i + 2, "the block is\n" + text_of(found) + "and should be\n" + text_of(block)});

@@ -17,10 +17,12 @@ namespace bounce::test {
 //   <!-- run: PROGRAM ARGS -->                 what that program prints
 //   <!-- list: 03_damping -->                  a stage's parameters, as a table
 //   <!-- table: lesson_numbers NAME -->        what that program prints, as a table
+//   <!-- cases: naive_numbers NAME -->         a table whose second column that program prints: a
+//                                              line "CASE | TEXT" for each row, by its first cell
 //   <!-- by hand: REASON -->                   not made; the reason says why
 //
-// The first three are followed by a fenced block, `list` and `table` by a markdown table that ends
-// at a blank line. FILE counts from the top of the project.
+// The first three are followed by a fenced block, the next three by a markdown table that ends at a
+// blank line. FILE counts from the top of the project.
 
 /// Something wrong in a lesson: where, and what to do about it.
 struct Finding {

@@ -100,6 +100,7 @@ struct Project {
                        "contact           slides   a or b    may it pull?\n",
                        ""};
       }
+      if (command == "fall cases") return Outcome{0, "a stone | 5 m\na leaf | 0.1 m\n", ""};
       return command == "fall --at 1" ? Outcome{0, "t,y\n1,0.095\n", ""} : Outcome{2, "", "what?"};
     });
   }
@@ -151,6 +152,19 @@ TEST_CASE("a block that is as it should be passes, and one that drifted is found
   }
 }
 
+TEST_CASE("a table of cases has its second column from the program, and the rest from its author") {
+  const Project project;
+  const std::string before =
+      "<!-- cases: fall cases -->\n| case | after 1 s | why |\n|---|---|---|\n";
+  const std::string right =
+      before + "| a leaf | 0.1 m | air |\n| a stone | 5 m | $g t^2/2$ |\n\nNext.\n";
+  check_clean(project.check(right), right);
+  const CheckedLesson checked =
+      project.check(before + "| a leaf | ? | air |\n| a stone |  | $g t^2/2$ |\n\nNext.\n");
+  CHECK(checked.drifted.size() == 1);
+  CHECK(checked.text == right);
+}
+
 TEST_CASE("what only an author can mend is said, with its line, and the text is left alone") {
   const Project project;
   struct Case {
@@ -170,6 +184,11 @@ TEST_CASE("what only an author can mend is said, with its line, and the text is 
       {"```cpp\nint x;\n```\n", "no marker", 1},
       {"- x\n  ```cpp\n", "beginning of a line", 2},
       {"~~~\n", "beginning of a line", 1},
+      {"<!-- cases: fall cases -->\n| c | n |\n|---|---|\n| a stone | 5 m |\n",
+       "a case without a row: a leaf", 1},
+      {"<!-- cases: fall cases -->\n| c | n |\n|---|---|\n| a cat | 1 m |\n",
+       "no line for the case", 1},
+      {"<!-- cases: fall --at 1 -->\n| c | n |\n|---|---|\n", "should print CASE | TEXT", 1},
       {"<!-- cuts: old.hpp law -->\n", "no marker of the kind 'cuts'", 1},
       {"<!-- cut: old.hpp law\n", "a marker looks like", 1},
       {"<!-- cut: -->\n", "a marker looks like", 1},

@@ -3,8 +3,10 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "08_racket_game/contact_steps.hpp"
 #include "08_racket_game/racket.hpp"
@@ -105,8 +107,8 @@ TEST_CASE(
   const std::string fast =
       "06_oscillating_floor --headless --duration 1 --set amplitude=0.001 "
       "--set angular_frequency=900 ";
-  for (const std::string method :
-       {"explicit-euler", "semi-implicit-euler", "velocity-verlet", "rk4"}) {
+  for (const std::string method : {"explicit-euler", "semi-implicit-euler", "velocity-verlet",
+                                   "rk4", "rk4-events", "flight-rk4"}) {
     const test::Outcome run = run_program(fast + "--dt 0.004166666666666667 --method " + method);
     CAPTURE(method);
     CAPTURE(run.err);
@@ -115,7 +117,24 @@ TEST_CASE(
     CHECK(run.err.find("0.00175") != std::string::npos);  // pi/2 / 900
     CHECK(run_program(fast + "--dt 0.0005 --method " + method).code == 0);
   }
-  CHECK(run_program(fast + "--method exact --dt 0.004166666666666667").code == 0);
+  // These two have no step: they do not look at it, and see the floor.
+  std::vector<double> heights;
+  for (const std::string method : {"exact", "reference"}) {
+    for (const std::string dt : {"0.004166666666666667", "0.0005"}) {
+      const test::Outcome run =
+          run_program(fast + "--csv - --at 1 --method " + method + " --dt " + dt);
+      CAPTURE(method);
+      CAPTURE(run.err);
+      REQUIRE(run.code == 0);
+      double t = 0, floor = 0, y = 0;
+      std::sscanf(run.out.c_str(), "t,floor,y,v\n%lf,%lf,%lf", &t, &floor, &y);
+      CHECK(t == 1);
+      heights.push_back(y);
+    }
+  }
+  CHECK(heights[0] == heights[1]);
+  CHECK(heights[2] == heights[3]);
+  CHECK(std::abs(heights[2] - heights[0]) < 1e-10);  // reference's tolerance is 1e-12 a step
   // A floor that does not swing may have any frequency.
   CHECK(run_program("06_oscillating_floor --headless --duration 1 --set amplitude=0 "
                     "--set angular_frequency=900 --dt 0.004")

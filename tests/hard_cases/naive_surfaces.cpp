@@ -1,0 +1,193 @@
+// Floors, planes and rackets, the naive way.
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+#include "06_oscillating_floor/oscillating_floor.hpp"
+#include "08_racket_game/racket.hpp"
+#include "naive.hpp"
+#include "physics/integrators.hpp"
+
+namespace bounce::naive {
+namespace {
+
+using Eigen::Vector3d;
+using Ball = State<Vector3d>;
+
+Racket undamped_racket() {
+  Racket scene;
+  scene.gravity = 0;
+  scene.damping = 0;
+  return scene;
+}
+
+/// Moves the ball by so many steps; the side of the racket is where the centre is at each.
+void look_at_steps(Racket scene, Ball& ball, double dt, int steps) {
+  for (int i = 0; i < steps; ++i) {
+    scene.side = scene.disc_at(i * dt).height(ball.position) < 0 ? -1 : 1;
+    semi_implicit_euler(scene, i * dt, ball, dt);
+  }
+}
+
+std::string thin_disc() {
+  int through = 0;
+  for (int i = 0; i < 1000; ++i) {
+    Racket scene = undamped_racket();
+    scene.stiffness = 1e8;
+    scene.disc.radius = 1;
+    Ball ball{{0.1, 1 + i * 0.004, 0}, {0, -400, 0}};
+    look_at_steps(scene, ball, 0.01, 10);
+    through += ball.velocity.y() == -400 ? 1 : 0;
+  }
+  return "looked at every 10 ms, " + std::to_string(through) +
+         " of 1000 balls pass it without a touch";
+}
+
+std::string fast_racket() {
+  int missed = 0, wrong = 0;
+  for (int i = 0; i < 1000; ++i) {
+    Racket scene = undamped_racket();
+    scene.mass = 0.06, scene.radius = 0.03, scene.stiffness = 9000;
+    scene.disc.velocity = {0, 15, 0};
+    Ball ball{{0, 0.5 + i * 0.00015, 0}, {0, 0, 0}};
+    look_at_steps(scene, ball, 0.01, 30);
+    const double speed = ball.velocity.y();
+    missed += speed == 0 ? 1 : 0;
+    wrong += speed != 0 && std::abs(speed / 30 - 1) > 0.1 ? 1 : 0;
+  }
+  return "a racket at 15 m/s, looked at every 10 ms, misses " + std::to_string(missed) +
+         " of 1000 balls, and throws " + std::to_string(wrong) + " at a speed wrong by over 10 %";
+}
+
+std::string one_sided() {
+  Racket scene = undamped_racket();
+  Ball ball{{0, -0.3, 0}, {0, 5, 0}};
+  for (int i = 0; i < 1000; ++i) semi_implicit_euler(scene, 0, ball, 1e-4);  // side stays 1
+  return "y < r holds below as well: a ball that comes up at 5 m/s is pulled through, and leaves "
+         "at " +
+         digits(ball.velocity.y(), 2) + " m/s";
+}
+
+/// The plane of stage 7, level, that ends at the rim.
+struct CutOff {
+  double rim = 0.3;  // m
+  bool touches(const Vector3d& ball) const { return ball.y() < 0.1 && ball.x() < rim; }
+  Vector3d acceleration(double /*t*/, const Ball& ball) const {
+    return {0, touches(ball.position) ? 1e4 * (0.1 - ball.position.y()) : 0, 0};
+  }
+  double energy(const Ball& ball) const {
+    const double overlap = touches(ball.position) ? 0.1 - ball.position.y() : 0;
+    return ball.velocity.squaredNorm() / 2 + 1e4 * overlap * overlap / 2;
+  }
+};
+
+std::string rim() {
+  const CutOff scene;
+  const auto push = [&](double x) { return scene.acceleration(0, {{x, 0.05, 0}, {}}).y(); };
+  return "a plane cut off at the rim: 5 cm deep, the push falls from " + digits(push(0.3 - 1e-9)) +
+         " N to " + digits(push(0.3 + 1e-9)) + " within 2e-9 m";
+}
+
+std::string sideways() {
+  const CutOff scene;
+  Ball ball{{0.299, 0.05, 0}, {2, -0.5, 0}};
+  const double before = scene.energy(ball);
+  for (int i = 0; i < 1000; ++i) rk4(scene, 0, ball, 1e-5);
+  return "over the edge of a plane that is cut off, " + digits(before - scene.energy(ball), 2) +
+         " J of " + digits(before, 2) + " J are gone";
+}
+
+std::string through_the_disc() {
+  Racket scene;
+  scene.damping = 0;
+  Ball ball{{0.2999, -0.03, 0}, {3, 0, 0}};
+  const double before = scene.energy(0, ball).total();
+  for (int i = 0; i < 10000; ++i) rk4(scene, 0, ball, 1e-6);  // `through` is not remembered
+  return "the nearest point jumps to the rim and the push turns round: " +
+         digits(before - scene.energy(0, ball).total(), 2) + " J of " + digits(before, 2) +
+         " J are lost";
+}
+
+std::string millions_of_pieces() {
+  Racket scene;
+  scene.mass = 1e-30;
+  scene.stiffness = 1e30;
+  Ball ball{{0, 0.05, 0}, {0, 0, 0}};
+  const double piece = 1e-3 / 1e30;  // omega0 dt = 1e-3
+  double t = 0;
+  for (int i = 0; i < 100000; ++i, t += piece) rk4(scene, 0, ball, piece);
+  return "a hundred thousand pieces of it bring a step of 1 ms on by " + digits(t, 1) +
+         " s, and it hears no interrupt";
+}
+
+std::string stroboscope() {
+  const double turn = 2 * std::acos(-1.0);
+  const double seen = std::remainder(900.0 / 240, turn) * 240;
+  return "seen every 1/240 s, 900 rad/s look like " + digits(seen) + ": another floor, backwards";
+}
+
+std::string shaken_off() {
+  OscillatingFloor scene;
+  scene.angular_frequency = 4 * std::acos(-1.0);
+  const double most = scene.gravity / std::pow(scene.angular_frequency, 2), dt = 2e-3;
+  State<double> ball{scene.radius - scene.mass * scene.gravity / scene.stiffness, 0};
+  for (int i = 0;; ++i) {
+    scene.amplitude = most * i * dt / 60;
+    explicit_euler(scene, i * dt, ball, dt);
+    if (ball.position - scene.floor_height((i + 1) * dt) < scene.radius) continue;
+    return "shaken more and more, with explicit Euler at 2 ms it is off at $A w^2 = " +
+           digits(scene.amplitude / most, 1) + " g$";
+  }
+}
+
+std::string long_normal() {
+  // a x + b y + c z + d with (0, 2, 0).
+  double y = 1;
+  while (!(2 * y < 0.1)) y -= 1e-4;
+  return "with (0, 2, 0) a ball with a radius of 0.1 m touches only at " + digits(y, 2) + " m";
+}
+
+std::string no_normal() {
+  const Vector3d normal(0, 0, 0), n = normal / normal.norm();
+  Vector3d position(0, 1, 0), velocity(0, 0, 0);
+  const double push = 1e4 * std::max(0.0, 0.1 - n.dot(position));
+  velocity += push * n * 1e-3;
+  position += velocity * 1e-3;
+  return "0 / 0: after one step " + std::to_string((position.array() != position.array()).count()) +
+         " of 3 coordinates are NaN";
+}
+
+std::string flipped_normal() {
+  // A ceiling at y = 1, turned upwards because floors are: y - 1 = 0 instead of -y + 1 = 0.
+  State<double> ball{0, 0};
+  double fastest = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double distance = ball.position - 1;
+    ball.velocity += (1e4 * std::max(0.0, 0.1 - distance) - 9.81) * 1e-4;
+    ball.position += ball.velocity * 1e-4;
+    fastest = std::max(fastest, ball.velocity);
+  }
+  return "turned upwards, a ceiling 1 m above the ball pulls it up through itself, at " +
+         digits(fastest, 2) + " m/s";
+}
+
+}  // namespace
+
+void print_surfaces() {
+  print_cases({{"A thin disc at 400 m/s, 10 ms a step", thin_disc},
+               {"A racket faster than r/dt", fast_racket},
+               {"A racket from below, a ball from below", one_sided},
+               {"The rim", rim},
+               {"Sideways off the racket during contact", sideways},
+               {"With its centre through the disc, and out over the rim", through_the_disc},
+               {"A step in contact that would take years: m = 1e-30, k = 1e30; dt = 1e10",
+                millions_of_pieces},
+               {"A floor faster than the step can see: 900 rad/s at dt = 1/240", stroboscope},
+               {"Resting on a shaken floor", shaken_off},
+               {"A normal of any length", long_normal},
+               {"A normal of length 0", no_normal},
+               {"A flipped normal", flipped_normal}});
+}
+
+}  // namespace bounce::naive
