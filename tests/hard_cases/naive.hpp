@@ -27,9 +27,14 @@ void print_balls();
 void print_input();
 void print_builds();
 
-/// Rounded to so many digits, and then as short as can be: 180, not 1.8e+02.
+/// Rounded to so many digits, and then as short as can be: 180 and 2e-9, not 1.8e+02 and 2e-09.
 inline std::string digits(double value, int count = 3) {
-  return to_text(*parse_number(to_rounded_text(value, count)));
+  std::string text = to_text(*parse_number(to_rounded_text(value, count)));
+  const std::size_t exponent = text.find('e') + 1;
+  if (exponent == 0) return text;
+  if (text[exponent] == '+') text.erase(exponent, 1);
+  const std::size_t zeros = text.find_first_of("0123456789", exponent);
+  return text.erase(zeros, text.find_first_not_of('0', zeros) - zeros);
 }
 
 /// The slides' step of the contact, as the page writes it.

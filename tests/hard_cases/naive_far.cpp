@@ -208,7 +208,7 @@ std::string speed_beyond_reason() {
   const bool infinite = std::isinf(scene.energy(ball).total());
   for (; std::isfinite(ball.position); ++steps) semi_implicit_euler(scene, 0, ball, 1e-3);
   return std::string("its energy is ") + (infinite ? "infinite" : "finite") +
-         " at once, and where it is after " + std::to_string(steps) + " steps";
+         " at once, its position after " + std::to_string(steps) + " steps";
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ std::string one_sided() {
   Racket scene = undamped_racket();
   Ball ball{{0, -0.3, 0}, {0, 5, 0}};
   for (int i = 0; i < 1000; ++i) semi_implicit_euler(scene, 0, ball, 1e-4);  // side stays 1
-  return "y < r holds below as well: a ball that comes up at 5 m/s is pulled through, and leaves "
+  return "`y < r` holds below as well: a ball that comes up at 5 m/s is pulled through, and leaves "
          "at " +
          digits(ball.velocity.y(), 2) + " m/s";
 }
@@ -124,7 +124,8 @@ std::string millions_of_pieces() {
 std::string stroboscope() {
   const double turn = 2 * std::acos(-1.0);
   const double seen = std::remainder(900.0 / 240, turn) * 240;
-  return "seen every 1/240 s, 900 rad/s look like " + digits(seen) + ": another floor, backwards";
+  return "seen every 1/240 s, 900 rad/s look like " + digits(seen) +
+         " rad/s: another floor, backwards";
 }
 
 std::string shaken_off() {
