@@ -8,6 +8,7 @@
 
 #include "all_stages.hpp"
 #include "run_program.hpp"
+#include "sanitizers.hpp"
 
 using namespace bounce;
 using test::run_program;
@@ -93,9 +94,7 @@ TEST_CASE("hard case: a step of the racket that needs millions of pieces ends, a
       "--player none --set gravity=1e30",
       "--player none --set velocity=1e15,0,0 --set position=0,0.10000001,0 "
       "--set racket_radius=1e30"};
-#if defined(__SANITIZE_ADDRESS__)
-  settings.resize(2);  // ten million pieces take the sanitizer 5 to 15 s a run
-#endif
+  if (test::is_sanitized) settings.resize(2);  // ten million pieces take the others 5 to 15 s
   for (const std::string& setting : settings) {
     const test::Outcome run = run_program("08_racket_game --headless " + setting);
     CAPTURE(setting);

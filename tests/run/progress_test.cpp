@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "run_program.hpp"
+#include "sanitizers.hpp"
 
 extern char** environ;
 
@@ -178,10 +179,10 @@ TEST_CASE("the bar says steps, time, rate and what is left, and fits the termina
 }
 
 TEST_CASE("memory does not grow with the number of steps") {
-#if defined(__SANITIZE_ADDRESS__)
-  MESSAGE("skipped: the address sanitizer keeps what was freed");
-  return;
-#endif
+  if (test::is_sanitized) {
+    MESSAGE("skipped: the address sanitizer keeps what was freed");
+    return;
+  }
   if (!has_terminals()) return;
   const auto peak = [](const std::string& duration) {
     OnTerminal run("05_ball_collision --headless --set scene=drop --csv /dev/null --sample 1e-3 " +
