@@ -21,8 +21,10 @@ inline void print_cases(std::initializer_list<Case> cases) {
 
 // The page's sections.
 void print_steps();
+void print_long();
 void print_far();
-void print_surfaces();
+void print_rackets();
+void print_planes();
 void print_balls();
 void print_input();
 void print_builds();

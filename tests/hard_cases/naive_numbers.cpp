@@ -10,8 +10,10 @@ using namespace bounce::naive;
 
 int main(int argc, char** argv) {
   return bounce::test::print_table({{"steps", print_steps},
+                                    {"long", print_long},
                                     {"far", print_far},
-                                    {"surfaces", print_surfaces},
+                                    {"rackets", print_rackets},
+                                    {"planes", print_planes},
                                     {"balls", print_balls},
                                     {"input", print_input},
                                     {"builds", print_builds}},
