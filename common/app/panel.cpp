@@ -212,7 +212,8 @@ void Panel::draw_play_row(Player& player) {
     player.go_back_to(wanted);
   }
   char rate[48] = "";
-  if (player.current_rate() != 1) std::snprintf(rate, sizeof rate, "%.2g x", player.current_rate());
+  const double pace = player.current_rate() * player.pace();
+  if (pace != 1) std::snprintf(rate, sizeof rate, "%.2g x", pace);
   ImGui::SameLine();
   ImGui::TextColored(colour(palette::exact), "%s", rate);
 }
@@ -276,6 +277,9 @@ void Panel::draw_cost_and_error(Player& player) {
   if (seen_ && simulation.balls() > 1) {
     ImGui::Text("a frame: physics %.1f ms, drawing %.1f ms", 1e3 * frame_cost.physics,
                 1e3 * frame_cost.drawing);
+  }
+  if (player.pace() < 1) {
+    ImGui::Text("computing is too slow: time runs at %.2g x", player.pace());
   }
   if (const std::optional<StateError> error = simulation.error()) {
     ImGui::Text("position off by %s", with_unit(error->position, "m").c_str());

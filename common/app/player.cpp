@@ -13,7 +13,7 @@ namespace {
 
 constexpr double trace_interval = 1.0 / 240;  // s between trace points, unless a step is longer
 constexpr double longest_frame = 0.1;         // s of the clock that one frame may catch up
-constexpr double frame_budget = 0.012;        // s of computing in one frame
+constexpr double pace_time = 0.5;             // s over which the pace is a mean
 constexpr std::size_t trace_length = 60 * 240;
 constexpr std::size_t past_length = 60 * 60;
 // With many balls less is remembered: so many numbers of the trace, and of the copies for
@@ -21,9 +21,17 @@ constexpr std::size_t past_length = 60 * 60;
 constexpr std::size_t trace_numbers = 4'000'000, past_numbers = 4'000'000;
 constexpr double lens_contact_time = 1.0;  // s on the clock that a contact takes in the lens
 
+// Between two looks at the clock: some 0.1 ms of one ball's steps.
+constexpr double steps_between_looks = 1000;
+
 }  // namespace
 
-Player::Player(std::unique_ptr<Simulation> simulation) : simulation_(std::move(simulation)) {
+double Player::wall_clock() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+Player::Player(std::unique_ptr<Simulation> simulation, Clock clock)
+    : simulation_(std::move(simulation)), clock_(std::move(clock)) {
   simulation_->keep_energy_book(true);
   simulation_->parameters_changed();  // opens the book
   shown_time_ = simulation_->time();
@@ -59,10 +67,16 @@ void Player::frame(double real_seconds) {
   const std::size_t copies = past_numbers / trace_.back().values.size();
   while (past_.size() > std::clamp<std::size_t>(copies, 10, past_length)) past_.pop_front();
 
-  using Clock = std::chrono::steady_clock;
-  const auto begin = Clock::now();
-  double left = std::min(real_seconds, longest_frame);
-  keeps_up_ = true;
+  const double wanted = std::min(real_seconds, longest_frame);
+  deadline_ = clock_() + budget;
+  const double done = advance_pieces(wanted);
+  deadline_ = std::numeric_limits<double>::infinity();
+  note_pace(real_seconds, done);
+}
+
+/// Moves on by `wanted` seconds of the clock, or until the deadline. Returns how far it came.
+double Player::advance_pieces(double wanted) {
+  double left = wanted;
   while (left > 0 && trouble_.empty()) {
     const std::optional<ContactNumbers> contact = simulation_->contact();
     const bool slow = contact_lens && contact && in_contact();
@@ -74,13 +88,20 @@ void Player::frame(double real_seconds) {
     double piece = std::min(left, trace_interval / std::max(1.0, current_rate_));
     // With the lens on, come close to a touch in small pieces, not to jump through half of it.
     if (contact_lens && contact) piece = std::min(piece, 1e-3);
-    move_to(shown_time_ + piece * current_rate_);
-    left -= piece;
-    if (std::chrono::duration<double>(Clock::now() - begin).count() > frame_budget) {
-      keeps_up_ = left <= 0;
-      break;
+    const double before = shown_time_;
+    move_to(before + piece * current_rate_);
+    if (clock_() > deadline_) {
+      return wanted - left + std::min(piece, (shown_time_ - before) / current_rate_);
     }
+    left -= piece;
   }
+  return wanted;
+}
+
+void Player::note_pace(double wanted, double done) {
+  if (!(wanted > 0)) return;
+  pace_ += (done / wanted - pace_) * std::min(1.0, wanted / pace_time);
+  if (pace_ > 0.99) pace_ = 1;
 }
 
 void Player::move_to(double t) {
@@ -88,13 +109,16 @@ void Player::move_to(double t) {
     if (goes_by_events(simulation_->method())) {
       simulation_->advance_to(t);
       remember();
-    } else if (simulation_->time() < t) {
-      const double steps = std::ceil((t - simulation_->time()) / simulation_->dt() - 1e-9);
-      simulation_->advance_to(simulation_->time_of_next_step() +
-                              std::max(0.0, steps - 1) * simulation_->dt());
-      remember();
+      shown_time_ = t;
+    } else {
+      if (simulation_->time() < t) {
+        advance_steps_to(t);
+        remember();
+      }
+      // Unless the deadline came first.
+      const bool is_there = simulation_->time() > t - 1e-6 * simulation_->dt();
+      shown_time_ = is_there ? t : simulation_->time();
     }
-    shown_time_ = t;
   } catch (const NonFinite& error) {
     trouble_ = "The state became infinite at t = " + to_rounded_text(error.t) + " s. " +
                step_warning(*simulation_);
@@ -102,7 +126,36 @@ void Player::move_to(double t) {
     trouble_ = std::string(error.what()) + " at t = " + to_rounded_text(error.t) + " s.";
   } catch (const NoClosedForm& error) {
     trouble_ = std::string(error.what()) + " at t = " + to_rounded_text(error.t) + " s.";
+  } catch (const BadInput& error) {
+    refuse(error.what());
   }
+}
+
+/// By whole steps to the first end of one at `t` or after it, or until the deadline. The same steps
+/// as in one go, so that the results are the same, to the bit.
+void Player::advance_steps_to(double t) {
+  const double dt = simulation_->dt();
+  const double each = static_cast<double>(simulation_->balls()) * simulation_->pieces_per_step();
+  const double portion = std::max(1.0, std::floor(steps_between_looks / each));
+  double left = std::ceil((t - simulation_->time()) / dt - 1e-9);
+  do {
+    const double steps = std::min(left, portion);
+    simulation_->advance_to(simulation_->time_of_next_step() + std::max(0.0, steps - 1) * dt);
+    left -= steps;
+  } while (left > 0 && clock_() <= deadline_);
+}
+
+/// A step was not allowed (the balls came too close together), and may have been taken by half:
+/// back to the last whole state, and a sentence.
+void Player::refuse(const std::string& why) {
+  if (!past_.empty()) {
+    simulation_ = past_.back()->clone();
+    forget_after(simulation_->time());
+    if (trace_.empty() || trace_.back().values.empty()) remember();
+    shown_time_ = simulation_->time();
+  }
+  trouble_ = "It stops soon after t = " + to_rounded_text(simulation_->time()) + " s: " + why;
+  refused_ = true;
 }
 
 std::vector<double> Player::shown_values() const {
@@ -141,6 +194,7 @@ double Player::earliest() const {
 
 void Player::go_back_to(double t) {
   trouble_.clear();
+  refused_ = false;
   const double tolerance = 1e-6 * simulation_->dt();
   while (past_.size() > 1 && past_.back()->time() > t + tolerance) past_.pop_back();
   if (past_.empty()) return;
@@ -160,6 +214,7 @@ void Player::go_back_to(double t) {
 
 void Player::restart() {
   trouble_.clear();
+  refused_ = false;
   trace_.clear();
   past_.clear();
   simulation_->restart();
@@ -171,6 +226,7 @@ void Player::change(const std::function<void(Simulation&)>& edit, bool start_ane
   edit(*simulation_);
   if (start_anew) return restart();
   trouble_.clear();
+  refused_ = false;
   simulation_->parameters_changed();
 }
 

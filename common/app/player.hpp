@@ -1,6 +1,7 @@
 #pragma once
 #include <deque>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,10 +24,13 @@ struct TracePoint {
 
 /// Plays a simulation on a clock: runs, pauses, steps, goes back, slows down. It knows no window.
 /// The physics always moves by whole steps of its own dt; only the clock is slowed or stopped. One
-/// frame takes in at most 0.1 s of real time, so that a stall cannot make it explode or jump.
+/// frame takes in at most 0.1 s of real time, so that a stall cannot make it explode or jump, and
+/// computes for `budget` at most, so that the picture does not freeze: then time runs slower.
 class Player {
  public:
-  explicit Player(std::unique_ptr<Simulation> simulation);
+  using Clock = std::function<double()>;  // s, from any zero
+  explicit Player(std::unique_ptr<Simulation> simulation, Clock clock = wall_clock);
+  static double wall_clock();
 
   Simulation& simulation() { return *simulation_; }
   const Simulation& simulation() const { return *simulation_; }
@@ -38,7 +42,11 @@ class Player {
   double rate = 1;            // simulated seconds per second of the clock
   bool contact_lens = false;  // slow down in contact, so that it lasts about a second
   double current_rate() const { return current_rate_; }  // with the lens
-  bool keeps_up() const { return keeps_up_; }  // false: computing is slower than the clock
+  double budget = frame_budget;  // of computing in one frame [s]; infinite where nobody waits
+  static constexpr double frame_budget = 0.012;
+  /// Seconds of the clock that went by for each one that was asked for, over the last half second
+  /// or so: 1, or less when computing is slower than the clock.
+  double pace() const { return pace_; }
 
   void step_forward();  // one step; pauses
   void step_back();     // one step; pauses
@@ -62,11 +70,17 @@ class Player {
 
   /// Not empty when the run had to stop: a sentence for the screen.
   const std::string& trouble() const { return trouble_; }
+  /// Whether it stopped because a step was asked for that is not allowed (a BadInput).
+  bool is_refused() const { return refused_; }
 
  private:
   bool is_at_rest() const;  // nothing to see for half a second
   bool in_contact() const { return simulation_->energy().spring > 0; }
+  double advance_pieces(double wanted);
+  void note_pace(double wanted, double done);
   void move_to(double t);
+  void advance_steps_to(double t);
+  void refuse(const std::string& why);
   void remember();
   void forget_after(double t);
   static TracePoint point(const Simulation& simulation);
@@ -76,8 +90,11 @@ class Player {
   std::deque<std::unique_ptr<Simulation>> past_;  // one copy a frame
   double shown_time_ = 0;
   double current_rate_ = 1;
-  bool keeps_up_ = true;
+  Clock clock_;
+  double deadline_ = std::numeric_limits<double>::infinity();  // of the frame, on the clock [s]
+  double pace_ = 1;
   std::string trouble_;
+  bool refused_ = false;
 };
 
 }  // namespace bounce

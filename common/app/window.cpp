@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iostream>
+#include <limits>
 
 #include "app/drawing.hpp"
 #include "app/layout.hpp"
@@ -55,6 +56,7 @@ Window::Window(const Demo& demo, std::unique_ptr<Simulation> simulation, const O
   panel_ = std::make_unique<Panel>(demo_, seen);
   view_.trail = !options.calm;
   view_.calm = options.calm;
+  if (!seen) player_.budget = std::numeric_limits<double>::infinity();
   if (seen && demo_.knock) sound_ = std::make_unique<Sound>();
 }
 
@@ -323,6 +325,7 @@ void save_picture(const Demo& demo, std::unique_ptr<Simulation> simulation, cons
     player.frame(left < 1.5 / 60 ? left : 1.0 / 60);
     if (left < 1e-9) break;
   }
+  if (player.is_refused()) throw BadInput(player.trouble());
   window.keep_pixels = true;
   player.paused = true;
   window.tick(0);  // Dear ImGui lays out in the first frame,
@@ -338,8 +341,12 @@ void record_clip(const Demo& demo, std::unique_ptr<Simulation> simulation, const
   window.keep_pixels = true;
   catch_interrupts();
   const double frame = 1.0 / recorder.frames_per_second();
-  while (window.player().shown_time() < options.duration && window.tick(frame) && !interrupted())
+  const Player& player = window.player();
+  while (player.shown_time() < options.duration && window.tick(frame) && !interrupted()) {
     recorder.add(window.pixels());
+    if (!player.trouble().empty()) break;  // its last picture says so
+  }
+  if (player.is_refused()) throw BadInput(player.trouble());
   recorder.finish();
 }
 

@@ -41,6 +41,7 @@ CpuCost frame_cost(const std::string& count, int frames) {
   const Demo demo = balls_demo();
   Window window(demo, falling_balls(count), Options{}, false);
   window.resize(640, 360);
+  window.player().budget = Player::frame_budget;  // as where somebody looks
   double drawing = 0, all = 0;
   for (int i = 0; i < frames; ++i) {
     // The processor's time, not the clock on the wall: others may be using this machine.
@@ -72,6 +73,58 @@ TEST_CASE("10,000 balls: 8 frames a second in the software renderer") {
 #ifdef NDEBUG
   CHECK(cost.physics + cost.picture < 1.0 / 8);
 #endif
+}
+
+TEST_CASE("10,000 balls, steps of 0.1 ms: a frame's physics takes no longer than it may") {
+  auto balls = falling_balls("10000");
+  balls->use_dt(1e-4);
+  Player player(std::move(balls));
+  player.frame(1.0 / 60);  // the first one makes the lists
+  const std::clock_t begin = std::clock();
+  constexpr int frames = 20;
+  for (int i = 0; i < frames; ++i) player.frame(1.0 / 60);
+  const double spent = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / frames;
+  MESSAGE("ms of physics a frame: ", spent * 1e3, ", pace ", player.pace());
+  CHECK(player.simulation().steps() >= frames);  // it does go on
+  // 12 ms, one step more (3 ms), the point of the trace and the copy for scrubbing. A frame needs
+  // 167 steps, half a second, to keep up.
+  [[maybe_unused]] const double allowed = 0.03;
+#ifdef NDEBUG
+  CHECK(spent < allowed);
+#endif
+  CHECK(player.pace() < 1);
+}
+
+TEST_CASE("balls that come too close together stop the window's run, with a sentence") {
+  // So many that fly into one place would touch in 25 million pairs.
+  constexpr int count = 7000;
+  Arrangement row(count);
+  for (int i = 0; i < count; ++i) {
+    row.balls.position.col(i) << 0.25 * i, 1, 0;
+    row.balls.velocity.col(i) << -0.25 * i / 0.1, 0, 0;
+  }
+  auto balls = std::make_unique<BallsSimulation>();
+  balls->use_balls(row, "--balls 'row'");
+  balls->restart();
+  const Demo demo = balls_demo();
+  Window window(demo, std::move(balls), Options{}, false);
+  Player& player = window.player();
+  for (int i = 0; i < 12 && player.trouble().empty(); ++i) CHECK(window.tick(1.0 / 60));
+  CAPTURE(player.trouble());
+  CHECK(player.trouble().find("not allowed: spread them out, or take fewer") != std::string::npos);
+  CHECK(player.is_refused());
+  CHECK(window.tick(1.0 / 60));  // it stays open, and shows where it was before
+  const double stopped = player.simulation().time();
+  CHECK(stopped > 0);
+  CHECK(stopped < 0.1);
+  CHECK(player.simulation().memory().numbers.size() > 8 * count);  // a whole state: --save takes it
+  CHECK(player.trace().back().t <= stopped);
+  player.step_back();
+  CHECK(player.trouble().empty());
+  CHECK(player.simulation().time() < stopped);
+  player.restart();
+  CHECK(player.trouble().empty());
+  CHECK(player.simulation().time() == 0);
 }
 
 TEST_CASE("what the player remembers of many balls is bounded, and scrubbing back still works") {

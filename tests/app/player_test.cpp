@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "03_damping/exact.hpp"
 #include "floating_point_traps.hpp"
@@ -55,6 +56,44 @@ TEST_CASE("a stall of 30 s moves on by 0.1 s, and does not explode") {
   player.frame(30);
   CHECK(player.shown_time() == doctest::Approx(before + 0.1).epsilon(1e-9));
   CHECK(player.trouble().empty());
+}
+
+TEST_CASE("where computing is slower than the clock, time runs slower, with the same steps") {
+  struct Slow {
+    double dt;
+    double steps;  // that a frame gets done: the clock is looked at after 1000, and 4 times a frame
+  };
+  for (const auto& [dt, steps] : {Slow{1e-6, 1000}, Slow{1e-7, 1000}, Slow{1e-5, 417}}) {
+    auto run = std::make_unique<Run>();
+    run->use_dt(dt);
+    double now = 0;
+    Player player(std::move(run), [&now] { return now += 0.02; });  // a look takes all the budget
+    for (int i = 0; i < 120; ++i) player.frame(frame);
+    CAPTURE(dt);
+    CHECK(player.trouble().empty());
+    CHECK(std::abs(static_cast<double>(player.simulation().steps()) / 120 - steps) < 0.51);
+    CHECK(player.shown_time() == doctest::Approx(player.simulation().time()).epsilon(1e-3));
+    // A mean over half a second, which began at 1 two seconds ago: the rest of that is e^-4.
+    CHECK(std::abs(player.pace() - steps * dt / frame) < 0.02);
+    Run headless;
+    headless.use_dt(dt);
+    headless.advance_to(player.simulation().time());
+    CHECK(player.simulation().values() == headless.values());
+    CHECK(player.simulation().steps() == headless.steps());
+    // Given more time, it catches nothing up, but keeps up from here on.
+    player.budget = std::numeric_limits<double>::infinity();
+    const double before = player.shown_time();
+    player.frame(frame);
+    CHECK(player.shown_time() == doctest::Approx(before + frame).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("a computer that is fast enough plays at the pace of the clock") {
+  double now = 0;
+  Player player(std::make_unique<Run>(), [&now] { return now += 1e-4; });
+  play(player, 1);
+  CHECK(player.pace() == 1);
+  CHECK(player.shown_time() == doctest::Approx(1).epsilon(1e-9));
 }
 
 TEST_CASE("one step forward and one back is where it was, to the bit") {
