@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "physics/closed_form.hpp"
+#include "physics/first_zero.hpp"
 #include "racket.hpp"
 
 namespace bounce {
@@ -44,14 +45,17 @@ class RacketExact {
   PhaseEnd end_of(Phase phase, const Ball& start) {
     if (phase == Phase::flight) return end_of_flight(start);
     const PhaseEnd end = on_side(side_).end_of(phase, upwards(side_, start));
-    const double rim = time_to_rim(start, end.after);
-    reaches_rim_ = rim < end.after;
-    return reaches_rim_ ? PhaseEnd{rim, Phase::flight} : end;
+    const FirstZero rim = time_to_rim(start, end.after);
+    reaches_rim_ = rim.found && rim.t < end.after;
+    if (reaches_rim_) return {rim.t, Phase::flight};
+    return rim.t < end.after ? PhaseEnd{rim.t, phase} : end;
   }
 
-  /// Throws RimReached when that is the event.
+  /// Throws RimReached when that is the event. Nothing happens at all where a search for the rim
+  /// took too many looks: it goes on from here.
   Ball at_event(Phase before, Phase after, const Ball& ball) {
     if (reaches_rim_) throw RimReached{};
+    if (before == after) return ball;
     if (before == Phase::flight) side_ = side_of(ball);
     return at_height(ball, on_side(side_).at_event(before, after, upwards(side_, ball)));
   }
@@ -109,9 +113,10 @@ class RacketExact {
       after += down;
       if (is_over_disc(ball)) return {after, Phase::touch};
       const double out = time_out_of_slab(side, ball);
-      const double rim = time_to_touch_rim(ball, out);
-      reaches_rim_ = rim < out;
-      if (reaches_rim_) return {after + rim, Phase::touch};
+      const FirstZero rim = time_to_touch_rim(ball, out);
+      reaches_rim_ = rim.found && rim.t < out;
+      if (reaches_rim_) return {after + rim.t, Phase::touch};
+      if (rim.t < out) return {after + rim.t, Phase::flight};
       if (out == never) break;
       ball = fly(ball, out);
       after += out;
@@ -134,38 +139,49 @@ class RacketExact {
     return std::min(below, above > 0 ? above : never);
   }
 
-  // ---- The rim. Nothing can happen before the distance that is left has been covered at full
-  // speed; go there and look again.
+  // ---- The rim: the first zero of a distance, found by steps that are certain to be free of one
 
-  template <class Distance>
-  double first_time(const Ball& start, const Eigen::Vector3d& acceleration, double end,
-                    const Distance& distance) const {
-    double t = 0;
-    for (int i = 0; i < 1000 && t < end; ++i) {
-      const Ball ball = fly(start, acceleration, t);
-      const double left = distance(ball);
-      if (left < 1e-12 * disc_radius_) return t;
-      // left = v t + a t^2 / 2
-      const double v = ball.velocity.norm(), a = acceleration.norm();
-      if (v == 0 && a == 0) return never;
-      t += 2 * left / (v + std::sqrt(v * v + 2 * a * left));
-    }
-    return never;
-  }
+  static constexpr int most_looks = 1000;  // some tens are needed, also by a ball that grazes it
 
-  /// For a ball in contact: when it is no longer over the disc.
-  double time_to_rim(const Ball& start, double end) const {
+  /// For a ball in contact: when it is no longer over the disc. By squares, which are smooth at the
+  /// disc's centre as well: R^2 - p^2 bends by -2 (v^2 + p.a), and in the next `window` no ball
+  /// over the disc can be faster than v + a window.
+  FirstZero time_to_rim(const Ball& start, double end) const {
     const Ball foot{along(start.position), along(start.velocity)};
-    return first_time(foot, along(gravity_), end,
-                      [this](const Ball& ball) { return disc_radius_ - ball.position.norm(); });
+    const Eigen::Vector3d pull = along(gravity_);
+    const double a = pull.norm();
+    const auto glimpse = [&](double t) {
+      const Ball now = fly(foot, pull, t);
+      const double v = now.velocity.norm();
+      const double faster = std::max(v, std::sqrt(a * disc_radius_));
+      const double fastest = v + (a > 0 ? faster : 0);
+      return Glimpse{(disc_radius_ - now.position.norm()) * (disc_radius_ + now.position.norm()),
+                     -2 * now.position.dot(now.velocity),
+                     -2 * (v * v + now.position.dot(pull)),
+                     2 * (fastest * fastest + a * disc_radius_),
+                     0,
+                     a > 0 ? faster / a : never};
+    };
+    return first_zero(glimpse, 0, end, most_looks);
   }
 
-  /// For a ball beside the disc: when it touches the rim.
-  double time_to_touch_rim(const Ball& start, double end) const {
-    return first_time(start, gravity_, end, [this](const Ball& ball) {
+  /// For a ball beside the disc: when it touches the rim. The disc is convex, so that the distance
+  /// to it is a convex function of where the ball is: in flight it never bends by less than -g.
+  FirstZero time_to_touch_rim(const Ball& start, double end) const {
+    const auto glimpse = [&](double t) {
+      const Ball ball = fly(start, t);
       const Eigen::Vector3d outwards = along(ball.position);
-      return std::hypot(outwards.norm() - disc_radius_, normal_.dot(ball.position)) - ball_radius_;
-    });
+      const double lateral = outwards.norm();
+      const double beside = std::max(0.0, lateral - disc_radius_);
+      const double height = normal_.dot(ball.position);
+      const double distance = std::hypot(beside, height);
+      const double leaving = beside > 0 ? beside * outwards.dot(ball.velocity) / lateral : 0;
+      const double growth = leaving + height * normal_.dot(ball.velocity);  // of distance^2 / 2
+      return Glimpse{distance - ball_radius_, distance > 0 ? growth / distance : 0, 0,
+                     gravity_.norm(), 0};
+    };
+    if (glimpse(0).value < 0) return {0, true};  // a start in contact with it
+    return first_zero(glimpse, 0, end, most_looks);
   }
 
   Eigen::Vector3d normal_;

@@ -112,6 +112,18 @@ struct Racket {
     return std::max(0.0, radius - nearest(disc_at(t), state.position).distance);
   }
 
+  /// What the damper gives to the ball [W], seen from the racket: all that is neither gravity nor
+  /// spring. In a push-only contact that has let go it takes away what the spring still gives.
+  double damper_power(double t, const State<Eigen::Vector3d>& state) const {
+    const double pressed = overlap(t, state);
+    if (pressed == 0) return 0;
+    const Disc racket = disc_at(t);
+    const NearestPoint at = nearest(racket, state.position);
+    const Eigen::Vector3d v = state.velocity - racket.velocity_of(at.point);
+    const Eigen::Vector3d push = force(t, state) + Eigen::Vector3d(0, mass * gravity, 0);
+    return push.dot(v) - stiffness * pressed * at.direction.dot(v);
+  }
+
   Energy energy(double t, const State<Eigen::Vector3d>& state) const {
     return {kinetic_energy(mass, state.velocity),
             gravitational_energy(mass, gravity, state.position.y()),

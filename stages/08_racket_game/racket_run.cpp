@@ -86,7 +86,15 @@ void RacketRun::take_steps(long long count, double t, double dt) {
 
 long long RacketRun::move_ball(Racket& scene, double t, Ball& ball, double dt) {
   const auto go = [&](const auto& make_step) {
-    ContactSteps steps(scene, make_step);
+    const auto with_book = [&] {
+      return [this, step = make_step()](const Racket& s, double now, Ball& x, double h) mutable {
+        if (!keep_book_ || is_game()) return step(s, now, x, h);
+        const Ball before = x;
+        step(s, now, x, h);
+        note_damper(s, now, before, x, h);
+      };
+    };
+    ContactSteps steps(scene, with_book);
     steps(t, ball, dt);
     pieces_ += steps.pieces;
     return steps.touches;
@@ -176,6 +184,7 @@ void RacketRun::compare_from_here() {
   if (is_game()) return;
   Racket scene = bare_scene();
   begin_with(round_, scene);
+  book_ = {time(), round_.ball, energy().total(), 0};
   truth_.emplace(scene, time(), round_.ball);
   start_of_truth_ = reference_from_here(tightest);
 }
@@ -242,6 +251,30 @@ Energy RacketRun::energy() const {
   scene.gravity = gravity();
   if (is_game()) scene.disc = disc();
   return scene.energy(is_game() ? scene.since : time(), round_.ball);
+}
+
+/// The damper's work over one step, by the midpoint rule.
+void RacketRun::note_damper(const Racket& scene, double t, const Ball& before, const Ball& after,
+                            double dt) {
+  const Ball middle{(before.position + after.position) / 2, (before.velocity + after.velocity) / 2};
+  book_.lost -= scene.damper_power(t + dt / 2, middle) * dt;
+}
+
+/// The energy at the start, and what the racket has given since. Its velocity u is constant, so
+/// that the work of its force F on the ball is the integral of F.u, and F = m (v' - g):
+///   work = m u.(v - v0 - g t)
+double RacketRun::energy_before() const {
+  if (is_game()) return energy().total();
+  const Eigen::Vector3d gravity(0, -full().gravity, 0);
+  const Eigen::Vector3d pushed =
+      round_.ball.velocity - book_.ball.velocity - gravity * (time() - book_.start);
+  return book_.energy + full().mass * velocity_.dot(pushed);
+}
+
+double RacketRun::energy_lost() const {
+  if (is_game()) return 0;
+  // Without steps there is no book: what is missing was lost.
+  return goes_by_events(method()) ? energy_before() - energy().total() : book_.lost;
 }
 
 double RacketRun::next_event() const {

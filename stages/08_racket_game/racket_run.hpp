@@ -65,10 +65,10 @@ class RacketRun final : public Simulation {
   void parameters_changed() override;
   double next_event() const override;
   Energy energy() const override;
-  // What the racket gives and the damper takes is not told apart: no book is kept.
-  void keep_energy_book(bool /*keep*/) override {}
-  double energy_before() const override { return energy().total(); }
-  double energy_lost() const override { return 0; }
+  // Of the bare physics; in the game, where nothing shows it, no book is kept.
+  void keep_energy_book(bool keep) override { keep_book_ = keep; }
+  double energy_before() const override;
+  double energy_lost() const override;
   std::optional<double> exact_energy() const override;
 
  protected:
@@ -94,6 +94,7 @@ class RacketRun final : public Simulation {
 
   /// Returns the number of new touches.
   long long move_ball(Racket& scene, double t, Ball& ball, double dt);
+  void note_damper(const Racket& scene, double t, const Ball& before, const Ball& after, double dt);
 
   void game_step(double dt);
   void give(const Input& input);
@@ -123,6 +124,15 @@ class RacketRun final : public Simulation {
   Round round_;
   Ball from_racket_ = round_.ball;  // the bare physics' ball, seen from the racket
   long long pieces_ = 0;
+  // The energy book of the bare physics: when it was opened, with what, and the damper's work since
+  struct Book {
+    double start = 0;   // s
+    Ball ball;          // at the start
+    double energy = 0;  // J, at the start
+    double lost = 0;    // J
+  };
+  Book book_;
+  bool keep_book_ = false;
   std::optional<RacketWalk> walk_;            // the movement, for `exact`
   std::optional<RacketReference> reference_;  // the same, for `reference`
   // What all others are compared with; the reference from the start on, once the rim is reached
