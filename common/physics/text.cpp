@@ -65,9 +65,9 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
 
 std::string join(const std::vector<std::string>& words, std::string_view separator) {
   std::string all;
-  for (const std::string& word : words) {
-    if (!all.empty()) all += separator;
-    all += word;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) all += separator;
+    all += words[i];
   }
   return all;
 }

@@ -46,6 +46,14 @@ double last_value(const std::string& row) { return parse_number(split(row).back(
 
 }  // namespace
 
+TEST_CASE("words are joined and split again, the empty ones, too") {
+  const std::vector<std::vector<std::string>> rows{
+      {"a", "b"}, {"", "a"}, {"a", ""}, {"", ""}, {""}};
+  for (const std::vector<std::string>& words : rows) CHECK(split(join(words, ",")) == words);
+  CHECK(join({}) == "");
+  CHECK(join({"", "b", "c"}) == ", b, c");
+}
+
 TEST_CASE("--at gives rows at exactly these times") {
   for (const std::string& stage : stages) {
     for (const std::string method :
