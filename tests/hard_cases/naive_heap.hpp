@@ -8,11 +8,11 @@
 
 namespace bounce::naive {
 
-/// 36 balls that fall into a tray. Nothing damps them: they are chaotic.
+/// 27 balls that fall into a tray. Nothing damps them: they are chaotic.
 struct Heap {
-  static constexpr int count = 36;
-  static constexpr double dt = 5e-4;  // omega0 dt is 0.07
-  static constexpr int steps = 6000;  // 3 s
+  static constexpr int count = 27;
+  static constexpr double dt = 1e-3;  // omega0 dt is 0.14
+  static constexpr int steps = 3000;  // 3 s
   BallCollision scene;
   State<Eigen::Matrix3Xd> balls{Eigen::Matrix3Xd(3, count), Eigen::Matrix3Xd::Zero(3, count)};
 
