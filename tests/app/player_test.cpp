@@ -63,7 +63,8 @@ TEST_CASE("where computing is slower than the clock, time runs slower, with the 
     double dt;
     double steps;  // that a frame gets done: the clock is looked at after 1000, and 4 times a frame
   };
-  for (const auto& [dt, steps] : {Slow{1e-6, 1000}, Slow{1e-7, 1000}, Slow{1e-5, 417}}) {
+  for (const Slow& slow : {Slow{1e-6, 1000}, Slow{1e-7, 1000}, Slow{1e-5, 417}}) {
+    const double dt = slow.dt, steps = slow.steps;
     auto run = std::make_unique<Run>();
     run->use_dt(dt);
     double now = 0;
