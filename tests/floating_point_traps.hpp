@@ -3,12 +3,13 @@
 
 namespace bounce::test {
 
-#if defined(__GLIBC__) && !defined(__clang__)
+#if defined(__GLIBC__) && defined(BOUNCE_TRAPS)
 inline constexpr int floating_point_errors = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
 
 /// From here on a NaN out of numbers, a division by zero and an overflow end the test with SIGFPE,
 /// where they happen, in this thread and in those that it starts. (feenableexcept is glibc's. Clang
-/// without -ffp-exception-behavior may divide before it asks whether it should.)
+/// without -ffp-exception-behavior=maytrap may divide before it asks whether it should; the clang
+/// preset has that flag, tests/CMakeLists.txt then defines BOUNCE_TRAPS.)
 inline void trap_floating_point_errors() { feenableexcept(floating_point_errors); }
 
 /// No traps as long as it lives: for code that means its infinities. Say why beside it.
