@@ -23,7 +23,8 @@ class Dump {
       : option_(std::move(option)), path_(std::move(path)), file_(path_) {
     std::error_code error;
     if (!file_.is_open() || std::filesystem::is_directory(path_, error)) {
-      throw BadInput(option_ + " '" + path_ + "' is not allowed: it cannot be read");
+      throw BadInput(option_ + " '" + path_ +
+                     "' is not allowed: it must be a file that can be read");
     }
   }
 
@@ -102,7 +103,7 @@ class Dump {
       place_[i] =
           found == words_.end() ? absent : static_cast<std::size_t>(found - words_.begin() - 2);
       if (place_[i] == absent && i < needed) {
-        refuse(std::string("column ") + names[i] + " is missing; dump id x y z vx vy vz");
+        refuse(std::string("column ") + names[i] + " is missing; there must be id x y z vx vy vz");
       }
     }
     // A force without all of its components is none.
@@ -119,7 +120,7 @@ class Dump {
       if (row == 0) make_room(size);  // for a number of balls of which there is at least one
       if (split_words() != columns_) {
         refuse("there are " + std::to_string(words_.size()) + " values for " +
-               std::to_string(columns_) + " columns");
+               std::to_string(columns_) + " columns; there must be one for each");
       }
       const double id = value(0, 1, static_cast<double>(count));
       const auto ball = static_cast<Eigen::Index>(id) - 1;

@@ -76,7 +76,7 @@ Method find_method(const std::string& name, const std::vector<Method>& offered) 
     if (name_of(method) == name) return method;
   }
   throw BadInput("--method '" + name + "' is not known here" + did_you_mean(name, words(offered)) +
-                 ": this stage has " + names_of(offered));
+                 ": it must be one of " + names_of(offered));
 }
 
 std::string names_of(const std::vector<Method>& methods) { return join(words(methods)); }

@@ -65,19 +65,21 @@ std::vector<double> read_raw(std::string_view bytes) {
 /// "name value" lines, the parameters as "set.NAME value".
 using Lines = std::map<std::string, std::string>;
 
-double number_of(const std::string& path, const Lines& lines, const std::string& name) {
+double number_of(const std::string& path, const Lines& lines, const std::string& name, Range valid,
+                 bool is_whole = false) {
   const auto found = lines.find(name);
   const std::optional<double> value =
       found == lines.end() ? std::nullopt : parse_number(found->second);
-  if (!value) refuse(path, "it has no number for '" + name + "'");
-  return *value;
+  if (value && valid.contains(*value) && !(is_whole && *value != std::floor(*value))) return *value;
+  refuse(path, "its " + name +
+                   (found == lines.end() ? " is missing" : " is '" + found->second + "'") +
+                   ", and it must be a " + (is_whole ? "whole " : "") + "number from " +
+                   to_text(valid.lowest) + " to " + to_text(valid.highest));
 }
 
 /// The same for what is counted.
 long long count_of(const std::string& path, const Lines& lines, const std::string& name) {
-  const double value = number_of(path, lines, name);
-  if (value >= 0 && value <= 1e18) return static_cast<long long>(value);
-  refuse(path, "its '" + name + "' is " + to_text(value));
+  return static_cast<long long>(number_of(path, lines, name, Simulation::valid_count, true));
 }
 
 std::string read_text(const std::string& path) {
@@ -85,7 +87,7 @@ std::string read_text(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::string text(std::filesystem::file_size(path), ' ');
   if (!file.read(text.data(), static_cast<std::streamsize>(text.size()))) {
-    refuse(path, "it cannot be read");
+    refuse(path, "it must be a file that can be read");
   }
   return text;
 }
@@ -129,13 +131,21 @@ std::vector<double> numbers_from(const std::string& path, const Lines& lines,
                                  std::string_view behind) {
   std::vector<double> numbers;
   if (lines.count("raw")) {
-    if (static_cast<double>(behind.size()) != 8 * number_of(path, lines, "raw") + 1)
+    if (static_cast<double>(behind.size()) !=
+        8 * static_cast<double>(count_of(path, lines, "raw")) + 1)
       refuse(path, "it is not complete");
     numbers = read_raw(behind.substr(0, behind.size() - 1));
   } else {
     if (!lines.count("numbers")) refuse(path, "it is not complete: the state is missing");
     for (const std::string& word : split(lines.at("numbers"))) {
-      numbers.push_back(parse_number(word).value_or(std::nan("")));
+      const std::optional<double> number = parse_number(word);
+      if (!number) {
+        refuse(path, "its state's number " + std::to_string(numbers.size() + 1) + " is '" + word +
+                         "', and it must be a number from " +
+                         to_text(Simulation::valid_number.lowest) + " to " +
+                         to_text(Simulation::valid_number.highest));
+      }
+      numbers.push_back(*number);
     }
   }
   if (!std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::isfinite(n); })) {
@@ -180,24 +190,34 @@ void load_state(const std::string& path, const StageName& stage, Simulation& sim
   std::string_view body = checked(path, text);
   const Lines lines = take_lines(body);
   if (!lines.count("stage") || lines.at("stage") != stage.name) {
-    refuse(path, "it belongs to another stage");
+    const std::string its = lines.count("stage") ? "is '" + lines.at("stage") + "'" : "is missing";
+    refuse(path, "its stage " + its + ", and it must be '" + stage.name + "'");
   }
   for (const Parameter& parameter : simulation.parameters()) {
     const auto found = lines.find("set." + parameter.name);
-    if (found == lines.end()) refuse(path, "it does not say '" + parameter.name + "'");
+    if (found == lines.end()) {
+      refuse(path, "its " + parameter.name + " is missing, and it must be " + parameter.allowed());
+    }
     try {
       parameter.set(found->second);
     } catch (const BadInput& error) {
       refuse(path, error.what());
     }
   }
-  if (!lines.count("method")) refuse(path, "it is not complete: the method is missing");
+  if (!lines.count("method")) {
+    refuse(path, "its method is missing, and it must be " + names_of(simulation.methods()));
+  }
 
-  Simulation::Memory memory{
-      number_of(path, lines, "time"),      number_of(path, lines, "dt"),
-      number_of(path, lines, "tolerance"), number_of(path, lines, "grid_start"),
-      number_of(path, lines, "into_step"), count_of(path, lines, "grid_steps"),
-      count_of(path, lines, "steps"),      numbers_from(path, lines, body)};
+  using Of = Simulation;
+  const double dt = number_of(path, lines, "dt", Of::valid_dt);
+  Simulation::Memory memory{number_of(path, lines, "time", Of::valid_time),
+                            dt,
+                            number_of(path, lines, "tolerance", Of::valid_tolerance),
+                            number_of(path, lines, "grid_start", Of::valid_time),
+                            number_of(path, lines, "into_step", {0, dt}),
+                            count_of(path, lines, "grid_steps"),
+                            count_of(path, lines, "steps"),
+                            numbers_from(path, lines, body)};
   try {
     simulation.use_method(find_method(lines.at("method"), simulation.methods()));
     simulation.recall(memory);

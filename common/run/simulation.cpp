@@ -125,19 +125,17 @@ void check(const std::string& name, double value, Range valid) {
                  to_text(valid.lowest) + " to " + to_text(valid.highest));
 }
 
-/// No run that begins with allowed parameters comes near the range for the state, unless it
-/// explodes; beyond it squares and products overflow, and a step may take for ever.
 void check_ranges(const Simulation::Memory& memory) {
-  check("dt", memory.dt, {1e-15, 1e15});
-  check("tolerance", memory.tolerance, {1e-15, 1});
-  check("time", memory.time, {0, 1e15});
-  check("grid_start", memory.grid_start, {0, 1e15});
-  check("grid_steps", static_cast<double>(memory.grid_steps), {0, 1e18});
-  check("steps", static_cast<double>(memory.steps), {0, 1e18});
+  check("dt", memory.dt, Simulation::valid_dt);
+  check("tolerance", memory.tolerance, Simulation::valid_tolerance);
+  check("time", memory.time, Simulation::valid_time);
+  check("grid_start", memory.grid_start, Simulation::valid_time);
+  check("grid_steps", static_cast<double>(memory.grid_steps), Simulation::valid_count);
+  check("steps", static_cast<double>(memory.steps), Simulation::valid_count);
   check("into_step", memory.into_step, {0, memory.dt});
   for (std::size_t i = 0; i < memory.numbers.size(); ++i) {
-    if (std::abs(memory.numbers[i]) <= 1e100) continue;
-    check("state's number " + std::to_string(i + 1), memory.numbers[i], {-1e100, 1e100});
+    if (Simulation::valid_number.contains(memory.numbers[i])) continue;
+    check("state's number " + std::to_string(i + 1), memory.numbers[i], Simulation::valid_number);
   }
 }
 
@@ -149,8 +147,11 @@ void Simulation::recall(const Memory& memory) {
       memory.grid_start + static_cast<double>(memory.grid_steps) * memory.dt + memory.into_step;
   const double blur = 1e-6 * memory.dt + 1e-12 * grid_time;
   if (!goes_by_events(method_) && std::abs(grid_time - memory.time) > blur) {
-    throw BadInput("its time is " + to_text(memory.time) + ", and its grid_start, grid_steps, dt " +
-                   "and into_step lead to " + to_text(grid_time));
+    throw BadInput(
+        "its time is " + to_text(memory.time) +
+        ", and it must be grid_start + grid_steps dt + into_step = " + to_text(memory.grid_start) +
+        " + " + std::to_string(memory.grid_steps) + " * " + to_text(memory.dt) + " + " +
+        to_text(memory.into_step) + " = " + to_text(grid_time));
   }
   time_ = memory.time;
   dt_ = memory.dt;

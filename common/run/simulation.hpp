@@ -120,6 +120,12 @@ class Simulation {
     long long grid_steps, steps;
     std::vector<double> numbers;  // state and the method's own memory
   };
+  // What its clock may say; into_step: from 0 to dt. It has gone on from a start at 0 by steps.
+  static constexpr Range valid_dt{1e-15, 1e15}, valid_tolerance{1e-15, 1}, valid_time{0, 1e15},
+      valid_count{0, 1e18};
+  // No run that begins with allowed parameters has such numbers, unless it explodes; beyond them
+  // squares and products overflow, and a step may take for ever.
+  static constexpr Range valid_number{-1e100, 1e100};
   Memory memory() const;
   void recall(const Memory& memory);  // throws BadInput when it does not fit
 

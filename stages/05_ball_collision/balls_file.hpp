@@ -33,7 +33,7 @@ class BallsFile {
   explicit BallsFile(std::string path) : path_(std::move(path)), file_(path_) {}
 
   Arrangement read() {
-    if (!file_.is_open()) refuse("it cannot be read");
+    if (!file_.is_open()) refuse("it must be a file that can be read");
     std::vector<std::string> header;
     if (!next_line(header)) refuse("it is empty; line 1 must name the columns " + all_names());
     read_header(header);
@@ -42,7 +42,7 @@ class BallsFile {
       if (words.size() == 1 && words[0].empty()) continue;
       rows.push_back(read_row(words));
     }
-    if (file_.bad()) refuse("it cannot be read");
+    if (file_.bad()) refuse("it must be a file that can be read");
     if (rows.empty()) refuse("there is no ball in it: line 2 must be the first one");
     Arrangement start(static_cast<Eigen::Index>(rows.size()));
     for (Eigen::Index ball = 0; ball < start.mass.size(); ++ball) {
@@ -89,12 +89,12 @@ class BallsFile {
       const std::string name = ball_columns[i].name;
       const auto found = std::find(header.begin(), header.end(), name);
       if (found == header.end()) {
-        refuse_line("column " + name + " is missing; the columns are " + all_names());
+        refuse_line("column " + name + " is missing; the columns must be " + all_names());
       }
       place_[i] = static_cast<std::size_t>(found - header.begin());
     }
     if (width_ > ball_columns.size()) {
-      refuse_line("there are " + std::to_string(width_) + " columns; the columns are " +
+      refuse_line("there are " + std::to_string(width_) + " columns; the columns must be " +
                   all_names());
     }
   }
@@ -115,7 +115,7 @@ class BallsFile {
     }
     if (words.size() > width_) {
       refuse_line("there are " + std::to_string(words.size()) + " values for " +
-                  std::to_string(width_) + " columns");
+                  std::to_string(width_) + " columns; there must be one for each");
     }
     return row;
   }

@@ -62,7 +62,7 @@ inline InputLog read_input_log(const std::string& path) {
                    "; it must be a file that --record-input wrote");
   };
   std::ifstream file(path);
-  if (!file) refuse("it cannot be read");
+  if (!file) refuse("it must be a file that can be read");
   std::string line;
   if (!std::getline(file, line) || line != input_log_first_line) {
     refuse("it does not begin as recorded inputs do");

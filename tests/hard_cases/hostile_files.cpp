@@ -12,16 +12,10 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// As join() does, but a first word that is empty gets its comma, too.
-std::string row_of(const std::vector<std::string>& words, const std::string& separator) {
-  std::string all;
-  for (std::size_t i = 0; i < words.size(); ++i) all += (i > 0 ? separator : "") + words[i];
-  return all;
-}
-
 struct Spoilt {
   std::string text;
-  std::string field;  // what was spoilt, as a sentence names it
+  std::string field;       // what was spoilt, as a sentence names it
+  std::string value = "";  // what it is now; empty where it is gone
 };
 
 /// A file of "name value" lines again and again, each time with one of its numbers replaced by a
@@ -33,26 +27,30 @@ std::vector<Spoilt> spoilt(const std::string& text, const std::string& only = ""
     const std::size_t space = lines[i].find(' ');
     if (space == std::string::npos || lines[i].rfind(only, 0) != 0) continue;
     const std::string name = lines[i].substr(0, space);
-    const auto put = [&](const std::string& line) {
-      Spoilt changed{"", name == "numbers" ? "state" : name.substr(name.rfind('.') + 1)};
+    const auto put = [&](const std::string& line, const std::string& value) {
+      Spoilt changed{"", name == "numbers" ? "state" : name.substr(name.rfind('.') + 1), value};
       for (std::size_t k = 0; k < lines.size(); ++k) {
         const std::string& text_of_it = k == i ? line : lines[k];
         if (!text_of_it.empty()) changed.text += text_of_it + "\n";
       }
       all.push_back(changed);
     };
-    put("");
+    put("", "");
     const std::vector<std::string> numbers = split(lines[i].substr(space + 1));
     for (std::size_t n = 0; n < numbers.size(); ++n) {
       if (n >= 60 && n + 1 < numbers.size()) continue;  // of a long list the first, and the last
       for (const std::string& value : bad_values) {
         std::vector<std::string> changed = numbers;
         changed[n] = value;
-        put(name + " " + row_of(changed, ","));
+        put(name + " " + join(changed, ","), value);
       }
     }
   }
   return all;
+}
+
+std::string counted(const std::string& field) {
+  return field == "steps" || field == "grid_steps" ? "whole " : "";
 }
 
 void add_saved_states(const std::vector<Known>& all, std::vector<Line>& lines) {
@@ -71,10 +69,17 @@ void add_saved_states(const std::vector<Known>& all, std::vector<Line>& lines) {
       // Parameters and clock are read alike for all methods; what each remembers is its own.
       const std::string only = method == known.methods[0] ? "" : "numbers ";
       for (const Spoilt& one : spoilt(saved.substr(0, end), only)) {
-        std::vector<std::string> names{"--load"};
-        // One part of the clock may contradict another: then it is the other that is named.
-        const bool is_clock = saved.find("\n" + one.field + " ") >= saved.find("\ntime ");
-        if (!is_clock || one.field == "state") names.push_back(one.field);
+        std::vector<std::string> names{"--load", one.field};
+        // A number of the state may fit nothing else there; of the rest it is said what it is.
+        const bool is_number = parse_number(one.value).has_value() || one.value == "1,2";
+        if (one.field != "state" || !is_number) names.push_back(one.value);
+        // A clock whose parts contradict each other is told with the sum that they should be.
+        const std::size_t line = saved.find("\n" + one.field + " ");
+        const bool is_clock =
+            one.field == "state" || (line != std::string::npos && line >= saved.find("\ntime "));
+        if (is_clock && !is_number && (one.field != "state" || !one.value.empty())) {
+          names.push_back("must be a " + counted(one.field) + "number from ");
+        }
         lines.push_back({program,
                          {"--headless", "--load", "../in/state", "--duration", "0.5", "--csv", "-"},
                          names,
@@ -92,7 +97,7 @@ void add_recorded_inputs(std::vector<Line>& lines) {
   for (const Spoilt& one : spoilt(folder.read("log"))) {
     lines.push_back({"08_racket_game",
                      {"--headless", "--replay", "../in/log", "--duration", "0.2", "--csv", "-"},
-                     {one.field},
+                     {one.field, one.value},
                      {{"log", one.text}}});
   }
 }
@@ -137,8 +142,8 @@ void add_balls_files(std::vector<Line>& lines) {
       "--balls", {"mass", "radius", "x", "y", "z", "vx", "vy", "vz"},
       {{"1", "0.1", "0", "1", "0", "0", "0", "0"}, {"1", "0.1", "0.15", "1", "0", "0", "0", "0"}},
       [](const std::vector<std::string>& header, const auto& rows) {
-        std::string text = row_of(header, ",") + "\n";
-        for (const auto& row : rows) text += row_of(row, ",") + "\n";
+        std::string text = join(header, ",") + "\n";
+        for (const auto& row : rows) text += join(row, ",") + "\n";
         return text;
       },
       lines);
@@ -151,8 +156,8 @@ std::string dump(const std::string& step, const std::string& count, const std::s
 
 void add_lammps_dumps(std::vector<Line>& lines) {
   const auto rows_of = [](const std::vector<std::string>& header, const auto& rows) {
-    std::string text = "ITEM: ATOMS " + row_of(header, " ") + "\n";
-    for (const auto& row : rows) text += row_of(row, " ") + "\n";
+    std::string text = "ITEM: ATOMS " + join(header, " ") + "\n";
+    for (const auto& row : rows) text += join(row, " ") + "\n";
     return text;
   };
   const std::vector<std::string> columns{"id", "x",    "y",      "z",  "vx", "vy",
