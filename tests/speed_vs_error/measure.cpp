@@ -6,6 +6,7 @@
 #include <ctime>
 #include <fstream>
 #include <limits>
+#include <stdexcept>
 
 #include "physics/reference_values.hpp"
 #include "speed_vs_error/engines.hpp"
@@ -103,7 +104,14 @@ std::vector<Case> all_cases() {
 
 Report measure(const std::vector<std::string>& wanted) {
   Report report{about_this_run(), {}};
-  for (const Case& on : all_cases()) {
+  const std::vector<Case> all = all_cases();
+  for (const std::string& name : wanted) {
+    const auto has_name = [&](const Case& on) { return on.name == name; };
+    if (std::none_of(all.begin(), all.end(), has_name)) {
+      throw std::runtime_error("there is no case '" + name + "'");
+    }
+  }
+  for (const Case& on : all) {
     const bool is_wanted = std::find(wanted.begin(), wanted.end(), on.name) != wanted.end();
     if (!wanted.empty() && !is_wanted) continue;
     std::fprintf(stderr, "%s: %zu runs, errors", on.name.c_str(), on.subjects.size());

@@ -4,7 +4,7 @@
 namespace bounce::report {
 
 /// Runs the cases with these names, or all when there are none. Takes minutes, and says on standard
-/// error how far it is.
+/// error how far it is. Throws std::runtime_error when there is no such case.
 Report measure(const std::vector<std::string>& wanted);
 
 }  // namespace bounce::report
