@@ -37,7 +37,7 @@ inline std::optional<int> export_lammps(const StageName& stage, BallsSimulation&
   const std::string given = "--export-lammps '" + asked->second + "' is not allowed: ";
   if (simulation.method() != Method::velocity_verlet) {
     throw BadInput(given + "LAMMPS moves balls with velocity Verlet, not with " +
-                   name_of(simulation.method()) + ": add --method velocity-verlet");
+                   name_of(simulation.method()) + ": it must be --method velocity-verlet");
   }
   const double dt = simulation.dt();
   const many::LammpsTask task{
