@@ -107,6 +107,18 @@ std::string through_the_disc() {
          " J are lost";
 }
 
+std::string graze() {
+  int unseen = 0;
+  for (int i = 0; i < 1000; ++i) {
+    Racket scene = undamped_racket();
+    const double beside = scene.disc.radius + scene.radius - 1e-5;
+    Ball ball{{beside, 0, -0.3 + i * 3e-5}, {0, 0, 3}};
+    look_at_steps(scene, ball, 0.01, 20);
+    unseen += ball.velocity.x() == 0 ? 1 : 0;
+  }
+  return "looked at every 10 ms, " + std::to_string(unseen) + " of 1000 balls at 3 m/s pass unseen";
+}
+
 std::string millions_of_pieces() {
   Racket scene;
   scene.mass = 1e-30;
@@ -126,6 +138,7 @@ void print_rackets() {
                {"A racket faster than r/dt", fast_racket},
                {"A racket from below, a ball from below", one_sided},
                {"The rim", rim},
+               {"A graze of the rim, 1e-5 m deep", graze},
                {"Sideways off the racket during contact", sideways},
                {"With its centre through the disc, and out over the rim", through_the_disc},
                {"A step in contact that would take years: m = 1e-30, k = 1e30; dt = 1e10",

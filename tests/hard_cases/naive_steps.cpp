@@ -113,6 +113,13 @@ std::string critical_damping() {
          " at critical";
 }
 
+std::string steps_of_a_frame() {
+  int steps = 0;
+  for (double t = 0; t < 1.0 / 60; t += 1e-7) ++steps;
+  return "at dt = 1e-7 s a frame of 1/60 s has " + std::to_string(steps) +
+         " steps, and the picture waits for all of them";
+}
+
 }  // namespace
 
 void print_steps() {
@@ -125,6 +132,7 @@ void print_steps() {
                {"dt divides neither frame nor duration", step_that_does_not_divide},
                {"A stall of 30 s", step_of_a_stall},
                {"The same in the game, with the ball in the racket", step_of_a_stall_in_the_racket},
+               {"More steps than a frame has time for", steps_of_a_frame},
                {"Over-damped, critical, within 1e-9 of critical", critical_damping}});
 }
 
