@@ -12,11 +12,11 @@ namespace bounce {
 /// of a ball in one dimension, and beside it one formula holds from the start of the run to its
 /// end: no event rounds the place, however far from the origin it is. `Phases` say how to split a
 /// state, and how to put it together:
-///   auto bounce()                         the phases along the contact's direction
-///   (closed_form.hpp) State<double> along(state)            the part of a state in that direction
-///   State<Vector3d> beside(state)         the rest of it
-///   State<Vector3d> move_beside(rest, t)  that rest `t` seconds later
-///   State<Vector3d> together(rest, along)
+/// * bounce(): the phases along the contact's direction, as in closed_form.hpp;
+/// * along(state): the part of a state in that direction, a State<double>;
+/// * beside(state): the rest of it, a State<Vector3d>;
+/// * move_beside(rest, t): that rest `t` seconds later;
+/// * together(rest, along): the whole state again.
 template <class Phases>
 requires requires(const Phases& phases) { phases.bounce(); }
 class EventDriven<Phases, Eigen::Vector3d> {

@@ -14,7 +14,8 @@ namespace bounce {
 
 template <class Vector>
 void append(std::vector<double>& all, const Vector& vector) {
-  for (const double number : components(vector)) all.push_back(number);
+  const auto numbers = components(vector);
+  all.insert(all.end(), numbers.begin(), numbers.end());
 }
 /// In the order of the trace: position, then velocity.
 template <class Vector>
@@ -28,9 +29,6 @@ std::vector<double> numbers_of(const State<Vector>& state) {
   append(all, state);
   return all;
 }
-
-/// A count in a file is no larger: doubles, and the types of all counters, hold it.
-inline constexpr long long most_count = 1'000'000'000'000'000'000;
 
 /// Takes them off again, one after the other. A file may hold anything: what is missing or not
 /// allowed reads as 0, and is told at the end by `all_is_well`, as are numbers that are left over.

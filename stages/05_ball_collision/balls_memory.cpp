@@ -1,6 +1,7 @@
 // What BallsSimulation remembers, for `--save` and `--load`.
 
 #include "balls_simulation.hpp"
+#include "run/saved_numbers.hpp"
 
 namespace bounce {
 
@@ -11,23 +12,17 @@ namespace bounce {
 std::vector<double> BallsSimulation::numbers() const {
   std::vector<double> all{static_cast<double>(balls()), own_balls_ ? 1.0 : 0.0,
                           static_cast<double>(seed_)};
-  const auto append = [&all](const auto& matrix) {
-    all.insert(all.end(), matrix.data(), matrix.data() + matrix.size());
-  };
-  append(scene_.mass);
-  append(scene_.radius);
-  append(state_.position);
-  append(state_.velocity);
-  if (own_balls_) {
-    append(own_balls_->balls.position);
-    append(own_balls_->balls.velocity);
+  append(all, scene_.mass);
+  append(all, scene_.radius);
+  append(all, state_);
+  if (own_balls_) append(all, own_balls_->balls);
+  if (method() == Method::velocity_verlet && verlet_.acceleration) {
+    append(all, *verlet_.acceleration);
   }
-  if (method() == Method::velocity_verlet && verlet_.acceleration) append(*verlet_.acceleration);
   if (reference_) {
     all.push_back(reference_->next_step());
     all.push_back(reference_->piece_start());
-    append(reference_->state_at_piece_start().position);
-    append(reference_->state_at_piece_start().velocity);
+    append(all, reference_->state_at_piece_start());
     for (const double phase : reference_->contacts().phases()) all.push_back(phase);
   }
   return all;

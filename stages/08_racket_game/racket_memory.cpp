@@ -39,6 +39,8 @@ void each_number(Round& round, const Visit& visit) {
   visit(round.score.lost);
 }
 
+constexpr auto most_count = static_cast<long long>(Simulation::valid_count.highest);
+
 template <class Number>
 void take(SavedNumbers& saved, Number& number) {
   if constexpr (std::is_same_v<Number, bool>) {

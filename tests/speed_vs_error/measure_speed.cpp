@@ -7,6 +7,7 @@
 #include <exception>
 #include <fstream>
 
+#include "run_program.hpp"
 #include "speed_vs_error/figures.hpp"
 #include "speed_vs_error/measure.hpp"
 
@@ -17,7 +18,8 @@ namespace {
 void run(const std::vector<std::string>& cases) {
   const std::string root = BOUNCE_SOURCE_DIR, path = root + "/" + csv_file;
   const Report fresh = measure(cases);
-  const std::string csv = to_csv(cases.empty() ? fresh : merged(from_csv(read_file(path)), fresh));
+  const std::string csv =
+      to_csv(cases.empty() ? fresh : merged(from_csv(bounce::test::read_file(path)), fresh));
   std::ofstream(path) << csv;
   draw_figures(from_csv(csv), csv, root);
 }

@@ -18,8 +18,6 @@ Report merged(const Report& old, const Report& fresh);
 /// The file that the page and the figures are made from.
 inline constexpr const char* csv_file = "docs/speed_vs_error.csv";
 
-std::string read_file(const std::string& path);
-
 std::string to_csv(const Report& report);
 Report from_csv(const std::string& text);  // throws std::runtime_error
 

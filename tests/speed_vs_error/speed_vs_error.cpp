@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "run_program.hpp"
 #include "speed_vs_error/figures.hpp"
 #include "speed_vs_error/tables.hpp"
 
@@ -13,7 +14,7 @@ using namespace bounce::report;
 namespace {
 
 void run(const std::vector<std::string>& words) {
-  const std::string root = BOUNCE_SOURCE_DIR, csv = read_file(root + "/" + csv_file);
+  const std::string root = BOUNCE_SOURCE_DIR, csv = bounce::test::read_file(root + "/" + csv_file);
   if (words == std::vector<std::string>{"figures"}) return draw_figures(from_csv(csv), csv, root);
   std::string name;
   for (const std::string& word : words) name += (name.empty() ? "" : " ") + word;
