@@ -85,19 +85,22 @@ void RacketRun::take_steps(long long count, double t, double dt) {
 }
 
 long long RacketRun::move_ball(Racket& scene, double t, Ball& ball, double dt) {
+  const auto move = [&](const auto& make_step) {
+    ContactSteps steps(scene, make_step);
+    steps(t, ball, dt);
+    pieces_ += steps.pieces;
+    return steps.touches;
+  };
+  // The book is for the window: where none is kept, a step costs nothing more.
   const auto go = [&](const auto& make_step) {
-    const auto with_book = [&] {
+    if (!keep_book_ || is_game()) return move(make_step);
+    return move([&] {
       return [this, step = make_step()](const Racket& s, double now, Ball& x, double h) mutable {
-        if (!keep_book_ || is_game()) return step(s, now, x, h);
         const Ball before = x;
         step(s, now, x, h);
         note_damper(s, now, before, x, h);
       };
-    };
-    ContactSteps steps(scene, with_book);
-    steps(t, ball, dt);
-    pieces_ += steps.pieces;
-    return steps.touches;
+    });
   };
   const auto plain = [](auto method) { return [method] { return method; }; };
   switch (method()) {

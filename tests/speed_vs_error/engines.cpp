@@ -7,7 +7,7 @@
 
 #include "03_damping/exact.hpp"
 #include "physics/event_driven.hpp"
-#include "stages/scene_simulations.hpp"
+#include "run/scene_simulation.hpp"
 
 namespace bounce::report {
 namespace {

@@ -10,8 +10,8 @@
 #include "06_oscillating_floor/exact.hpp"
 #include "07_tilted_plane/exact.hpp"
 #include "physics/bounce_batch.hpp"
+#include "run/scene_simulation.hpp"
 #include "speed_vs_error/subjects.hpp"
-#include "stages/scene_simulations.hpp"
 
 namespace bounce::report {
 namespace {
