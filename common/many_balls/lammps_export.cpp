@@ -47,7 +47,7 @@ std::string lammps_cannot(const LammpsTask& task) {
   const bool damped = laws.between_balls.damping > 0 || laws.surfaces.damping > 0;
   if (damped && laws.between_balls.law == ContactLaw::push_only) {
     return "contact=push-only with damping is a law that its gran/hooke does not have: take "
-           "contact=slides";
+           "contact=may-pull";
   }
   if (damped && task.mass.minCoeff() != task.mass.maxCoeff()) {
     return "its damping grows with the mass and ours does not, so that with damping all balls must "

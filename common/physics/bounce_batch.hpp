@@ -173,7 +173,7 @@ class Sweep {
       const double height = b.start.position - b.radius;
       const double zeta = damping_ratio(b.contact.stiffness, b.contact.damping, b.mass);
       const bool is_usual = height >= 0 && b.gravity > 0 && zeta < 0.99 &&
-                            (b.contact.law == ContactLaw::slides || zeta == 0);
+                            (b.contact.law == ContactLaw::may_pull || zeta == 0);
       if (!is_usual) {
         states_[i] = EventDriven<BouncePhases>(b.phases(), 0, b.start).at(t_);
         continue;

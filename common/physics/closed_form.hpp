@@ -116,8 +116,8 @@ class BouncePhases {
 
   /// What can come after a touch.
   std::array<Phase, 1> after_touch() const {
-    const bool slides = contact_.law == ContactLaw::slides || contact_.damping == 0;
-    return {slides ? Phase::flight : Phase::let_go};
+    const bool until_parted = contact_.law == ContactLaw::may_pull || contact_.damping == 0;
+    return {until_parted ? Phase::flight : Phase::let_go};
   }
   /// What tells that a touch does not yet give way to `next`: the overlap, or, for a contact that
   /// only pushes, its force.
@@ -176,7 +176,7 @@ inline PhaseEnd BouncePhases::end_of_touch(const State<double>& start) const {
     return {swing / omega0_, Phase::flight, {radius_, -v}};
   }
   const State<double> x = from_rest_height(start);
-  if (contact_.law == ContactLaw::slides || c == 0) {
+  if (contact_.law == ContactLaw::may_pull || c == 0) {
     const Crossing out = oscillator_.rise(x, sag_);
     return {out.t, Phase::flight, {radius_, out.velocity}};
   }

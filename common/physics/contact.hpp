@@ -7,13 +7,13 @@ namespace bounce {
 
 /// What happens when spring and damper together would *pull* the ball towards the floor, as they
 /// do just before lift-off: the slides let them, a contact that only pushes does not.
-enum class ContactLaw { slides, push_only };
+enum class ContactLaw { may_pull, push_only };
 
 /// Spring and damper side by side (Kelvin-Voigt model) between a ball and what it overlaps.
 struct SpringDamper {
   double stiffness = 1e4;  // k [N/m], > 0
   double damping = 0;      // c [N s/m], >= 0
-  ContactLaw law = ContactLaw::slides;
+  ContactLaw law = ContactLaw::may_pull;
 
   /// Force [N] that pushes the two apart, from the overlap [m] and the speed at which they
   /// separate [m/s, positive when the overlap shrinks]. Without overlap there is no force.
@@ -39,7 +39,7 @@ inline double damping_ratio(double stiffness, double damping, double mass) {
 // gravity the restitution also depends on the speed (docs/03_damping.md). They follow from the
 // damped oscillator x'' + 2 beta x' + omega0^2 x = 0 that starts at x = 0.
 
-/// How long a contact lasts [s]. `slides`: until the overlap is gone, pi / omega_d, and for ever
+/// How long a contact lasts [s]. `may_pull`: until the overlap is gone, pi / omega_d, and for ever
 /// (infinity) from zeta = 1 on. `push_only`: until the force is gone, which is sooner and finite.
 /// Source: Schwager and Poeschel, Granular Matter 9, 465 (2007); their formula for zeta < 1,
 /// (pi - atan2(2 beta omega_d, omega0^2 - 2 beta^2)) / omega_d, is written here as twice half the
@@ -49,7 +49,7 @@ inline double contact_time(const SpringDamper& contact, double mass) {
   const double omega0 = natural_frequency(contact.stiffness, mass);
   const double beta = contact.damping / (2 * mass);
   const double discriminant = (omega0 - beta) * (omega0 + beta);  // omega_d^2 when positive
-  if (contact.law == ContactLaw::slides) {
+  if (contact.law == ContactLaw::may_pull) {
     if (discriminant <= 0) return std::numeric_limits<double>::infinity();
     return std::acos(-1.0) / std::sqrt(discriminant);
   }

@@ -109,7 +109,7 @@ Parameter damping(double& value) {
 }
 Parameter contact(ContactLaw& value) {
   return {"contact", "", "may the damper pull the ball back at lift-off?",
-          choice_of(value, {"slides", "push-only"})};
+          choice_of(value, {"may-pull", "push-only"})};
 }
 Parameter position(Components value, double highest_slider) {
   const Range slider{-highest_slider, highest_slider};

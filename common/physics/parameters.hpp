@@ -19,7 +19,7 @@ struct Range {
   bool contains(double value) const { return lowest <= value && value <= highest; }
 };
 
-/// One of a few named values, such as contact = slides | push-only.
+/// One of a few named values, such as contact = may-pull | push-only.
 struct Choice {
   std::vector<std::string> names;
   std::function<std::size_t()> selected;

@@ -15,6 +15,6 @@ $bin/05_ball_collision --screenshot 05_drop.png --set scene=drop --set count=100
 $bin/07_tilted_plane --screenshot 07_tilted_plane.png --duration 2.95 --method exact --set damping=0 --set stiffness=1e6
 # 04_from_above.png is taken in the window: T for the view from above, at about 2.2 s F12.
 $bin/06_oscillating_floor --screenshot 06_oscillating_floor.png --dt 0.0001 --duration 9.2
-$bin/06_oscillating_floor --screenshot 06_switch.png --set floor_law=slides --dt 0.0001 --duration 0.385
+$bin/06_oscillating_floor --screenshot 06_switch.png --set floor_law=fixed-switch --dt 0.0001 --duration 0.385
 $bin/06_oscillating_floor --screenshot 06_bifurcation.png --sweep amplitude=0.05,0.09,800 \
   --set contact=push-only --set angular_frequency=12.566370614359172

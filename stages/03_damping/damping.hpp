@@ -16,7 +16,7 @@ struct Damping {
   double radius = 0.1;     // m
   double stiffness = 1e4;  // N/m
   double damping = 5.0;    // N s/m
-  ContactLaw contact = ContactLaw::slides;
+  ContactLaw contact = ContactLaw::may_pull;
   State<double> start{1.0, 0.0};  // m, m/s
 
   // [force]

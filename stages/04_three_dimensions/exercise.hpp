@@ -22,7 +22,7 @@ struct ThreeDimensions {
   double radius = 0.1;     // m
   double stiffness = 1e4;  // N/m
   double damping = 5.0;    // N s/m
-  ContactLaw contact = ContactLaw::slides;
+  ContactLaw contact = ContactLaw::may_pull;
   bool floor = true;
   State<Eigen::Vector3d> start{{0.0, 1.0, 0.0}, {1.0, 0.0, 0.5}};  // m, m/s
 

@@ -54,7 +54,7 @@ struct BallCollision {
   double gravity = 9.81;   // m/s^2
   double stiffness = 1e4;  // N/m, between two balls
   double damping = 0;      // N s/m, between two balls
-  ContactLaw contact = ContactLaw::slides;
+  ContactLaw contact = ContactLaw::may_pull;
   bool floor = true;             // at height 0
   double floor_stiffness = 1e4;  // N/m, of floor and walls
   double floor_damping = 0;      // N s/m

@@ -26,7 +26,7 @@ class OscillatingFloorExact {
         omega0_(natural_frequency(scene.stiffness, scene.mass)),
         beta_(scene.damping / (2 * scene.mass)),
         relative_(scene.floor_law == FloorLaw::relative),
-        switched_(scene.floor_law == FloorLaw::slides),
+        switched_(scene.floor_law == FloorLaw::fixed_switch),
         clamped_(scene.contact == ContactLaw::push_only && (scene.damping > 0 || switched_)),
         oscillator_(omega0_, beta_, w_) {
     // At resonance without a damper there is no steady answer. One rounding beside it, it is huge,
@@ -69,9 +69,9 @@ class OscillatingFloorExact {
     return state;
   }
 
-  /// A ball can hover on the edge of a contact that pushes while gravity pulls it back in (`slides`
-  /// and `absolute` do this): ever shorter hops, and no end. A thousand such hops in a row, each
-  /// shorter than this, stop the run.
+  /// A ball can hover on the edge of a contact that pushes while gravity pulls it back in
+  /// (`fixed-switch` and `absolute` do this): ever shorter hops, and no end. A thousand such hops
+  /// in a row, each shorter than this, stop the run.
   double shortest_phase() const { return 1e-3 / std::max(omega0_, w_); }
 
   // ---- For methods that step but locate events (located_events.hpp)

@@ -15,9 +15,9 @@ namespace bounce {
 
 /// What the contact knows of the floor's movement.
 enum class FloorLaw {
-  relative,  // where the floor is, and how fast: the damper acts on the relative velocity
-  absolute,  // where it is; the damper brakes the ball's own velocity
-  slides     // the slides' program word for word: the ball is in contact while y < r
+  relative,     // where the floor is, and how fast: the damper acts on the relative velocity
+  absolute,     // where it is; the damper brakes the ball's own velocity
+  fixed_switch  // the lecture's program word for word: the ball is in contact while y < r
 };
 
 /// Stage 6. The floor of stage 3 moves up and down under the ball.
@@ -27,7 +27,7 @@ struct OscillatingFloor {
   double radius = 0.1;     // m
   double stiffness = 1e4;  // N/m
   double damping = 14.17;  // N s/m: restitution 0.8
-  ContactLaw contact = ContactLaw::slides;
+  ContactLaw contact = ContactLaw::may_pull;
   double amplitude = 0.06;          // m
   double angular_frequency = 12.6;  // rad/s: about 2 Hz
   double phase = 0;                 // rad
@@ -65,7 +65,7 @@ struct OscillatingFloor {
   //   floor_law             in contact while                   the damper brakes
   //   FloorLaw::relative    ball and floor overlap (not = )    the velocity between the two
   //   FloorLaw::absolute    the same                           the ball's own velocity
-  //   FloorLaw::slides      y < radius, wherever the floor is  the ball's own velocity
+  //   FloorLaw::fixed_switch      y < radius, wherever the floor is  the ball's own velocity
   bool touches([[maybe_unused]] double y, [[maybe_unused]] double floor) const {
     return false;  // <- here
   }
@@ -125,7 +125,7 @@ inline std::vector<Parameter> OscillatingFloor::parameters() {
       {"floor_velocity", "m/s", "steady speed of the floor, upwards, besides the swing",
        &floor_velocity, any, Range{-1, 1}, true},
       {"floor_law", "", "what the contact knows of the floor's movement",
-       choice_of(floor_law, {"relative", "absolute", "slides"})}};
+       choice_of(floor_law, {"relative", "absolute", "fixed-switch"})}};
 }
 
 }  // namespace bounce

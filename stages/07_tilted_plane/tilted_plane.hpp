@@ -20,7 +20,7 @@ struct TiltedPlane {
   double radius = 0.1;     // m
   double stiffness = 1e4;  // N/m
   double damping = 5.0;    // N s/m
-  ContactLaw contact = ContactLaw::slides;
+  ContactLaw contact = ContactLaw::may_pull;
   Eigen::Vector3d normal{0.17633, 1, 0};  // a, b, c: any length but zero; here tilted by 10 degrees
   double offset = 0;                      // d, in the unit that makes the equation true
   State<Eigen::Vector3d> start{{0, 0.6015, 0}, {0, 0, 0}};  // m, m/s: falls by 0.5 m to the touch

@@ -25,7 +25,7 @@ struct Racket {
   double radius = 0.1;     // m, of the ball
   double stiffness = 1e4;  // N/m
   double damping = 14.17;  // N s/m: restitution 0.8
-  ContactLaw contact = ContactLaw::slides;
+  ContactLaw contact = ContactLaw::may_pull;
   Disc disc;             // where the racket is at `since`, and how it moves from there
   double since = 0;      // s
   int side = 1;          // where the ball comes from: 1 is the side of the normal, -1 the other

@@ -86,7 +86,7 @@ Question<Moment> force_question(const std::string& tested) {
          return up(clamped(m, -m.weight() + (m.overlaps() ? spring(m) + damper(m) : 0)));
        }},
       {"push_only whatever the contact",
-       "with contact slides the floor may pull. Only if contact == ContactLaw::push_only is the "
+       "with contact may-pull the floor may pull. Only if contact == ContactLaw::push_only is the "
        "push "
        "at least 0.",
        [](const Moment& m) {
@@ -97,7 +97,7 @@ Question<Moment> force_question(const std::string& tested) {
   return q;
 }
 
-enum Contacts { slides_only, push_only_too };
+enum Contacts { may_pull_only, push_only_too };
 
 std::vector<Moment> moments(unsigned seed, double least, double most, Contacts contacts) {
   Dice dice(seed);
@@ -117,18 +117,18 @@ std::vector<Moment> moments(unsigned seed, double least, double most, Contacts c
 TEST_SUITE("03_damping") {
   TEST_CASE("away from the floor only gravity acts: no spring, no damper") {
     judge(force_question("the force on a ball that does not touch"),
-          moments(31, -9, -0.01, slides_only));
+          moments(31, -9, -0.01, may_pull_only));
   }
   TEST_CASE("while they overlap, spring and damper: k (r - y) - c v") {
     judge(force_question("the force on a ball that overlaps the floor"),
-          moments(32, 0.01, 1.5, slides_only));
+          moments(32, 0.01, 1.5, may_pull_only));
   }
   TEST_CASE("contact push_only: the push is never below 0, and gravity stays") {
     judge(force_question("the force on a ball, with both kinds of contact"),
           moments(33, -0.2, 0.4, push_only_too));
   }
   TEST_CASE("a ball that just touches has no overlap yet") {
-    std::vector<Moment> edge = moments(34, 0, 0, slides_only);
+    std::vector<Moment> edge = moments(34, 0, 0, may_pull_only);
     for (Moment& m : edge) m.motion.position = up(m.setting.radius);
     judge(force_question("the force on a ball at exactly y = r"), edge);
   }

@@ -6,7 +6,7 @@ using namespace bounce::check;
 
 namespace {
 
-constexpr int relative = 0, slides = 2;  // FloorLaw; 1 is absolute
+constexpr int relative = 0, fixed_switch = 2;  // FloorLaw; 1 is absolute
 
 double angle(const Moment& m) { return m.setting.angular_frequency * m.t + m.setting.phase; }
 double steady(const Moment& m) { return m.setting.floor_velocity * m.t; }
@@ -51,7 +51,8 @@ Triple force_with(const Moment& m, const View& view) {
   return up(-m.weight() + push(s, s.radius - m.y() + view.floor, v));
 }
 View seen(const Moment& m) {
-  return {height(m), speed(m), m.setting.floor_law != slides, m.setting.floor_law == relative};
+  return {height(m), speed(m), m.setting.floor_law != fixed_switch,
+          m.setting.floor_law == relative};
 }
 Triple right(const Moment& m) { return force_with(m, seen(m)); }
 
@@ -62,7 +63,7 @@ Question<Moment> force_question(const std::string& tested) {
   q.truth = right;
   q.rounding = force_rounding;
   q.where = [](const Moment& m) {
-    static const char* laws[] = {"relative", "absolute", "slides"};
+    static const char* laws[] = {"relative", "absolute", "fixed-switch"};
     return on_a_line(m) + "; " + floor_text(m) + ", floor_law " + laws[m.setting.floor_law] +
            "; the floor is at " + number(height(m)) + " m and moves with " + number(speed(m)) +
            " m/s";
@@ -122,7 +123,7 @@ Question<Moment> force_question(const std::string& tested) {
   return q;
 }
 
-enum Kind { only_relative, all_laws, slides_law };
+enum Kind { only_relative, all_laws, switch_law };
 
 std::vector<Moment> moments(unsigned seed, double least, double most, Kind kind) {
   Dice dice(seed);
@@ -138,9 +139,9 @@ std::vector<Moment> moments(unsigned seed, double least, double most, Kind kind)
       s.floor_law = i % 3;
       s.push_only = i % 2 == 1;
     }
-    if (kind == slides_law) s.floor_law = slides;
+    if (kind == switch_law) s.floor_law = fixed_switch;
     Moment m{s, dice.between(0, 3), {{}, up(dice.between(-5, 5))}};
-    const double from = kind == slides_law ? 0 : height(m);
+    const double from = kind == switch_law ? 0 : height(m);
     m.motion.position = up(from + s.radius * (1 - dice.between(least, most)));
     all.push_back(m);
   }
@@ -200,8 +201,8 @@ TEST_SUITE("06_oscillating_floor") {
   TEST_CASE("all three floor laws, with both kinds of contact") {
     judge(force_question("the force on a ball"), moments(65, -0.5, 0.7, all_laws));
   }
-  TEST_CASE("floor_law slides: in contact while y < r, wherever the floor is") {
-    judge(force_question("the force on a ball"), moments(66, -0.5, 0.7, slides_law));
+  TEST_CASE("floor_law fixed-switch: in contact while y < r, wherever the floor is") {
+    judge(force_question("the force on a ball"), moments(66, -0.5, 0.7, switch_law));
   }
   TEST_CASE("a ball that just touches has no overlap yet") {
     std::vector<Moment> edge = moments(67, 0, 0, only_relative);
@@ -212,7 +213,7 @@ TEST_SUITE("06_oscillating_floor") {
       m.setting.amplitude = 0;
       m.setting.floor_velocity = 0.25;
       m.t = 1;
-      m.setting.floor_law = i % 2 == 0 ? relative : slides;
+      m.setting.floor_law = i % 2 == 0 ? relative : fixed_switch;
       m.motion.position = up(i % 2 == 0 ? 0.75 : 0.5);
     }
     judge(force_question("the force on a ball exactly at the touch"), edge);

@@ -12,7 +12,7 @@ namespace bounce::check {
 namespace {
 
 SpringDamper contact_of(const Setting& s) {
-  return {s.stiffness, s.damping, s.push_only ? ContactLaw::push_only : ContactLaw::slides};
+  return {s.stiffness, s.damping, s.push_only ? ContactLaw::push_only : ContactLaw::may_pull};
 }
 
 /// What a method of order 1 may miss: g t dt / 2 in flight, and at the touch up to a step of the

@@ -263,7 +263,7 @@ void bounce_error(Scene scene) {
 
 // ---- Stage 3 ------------------------------------------------------------------------------------
 
-Damping damped(double c, ContactLaw law = ContactLaw::slides) {
+Damping damped(double c, ContactLaw law = ContactLaw::may_pull) {
   Damping scene;
   scene.damping = c;
   scene.contact = law;
@@ -287,12 +287,12 @@ bool lift_off(const Damping& scene, State<double>& state) {
 }
 
 void restitution_table() {
-  header({"damping ratio", "damping [N s/m]", "`slides`: formula", "`slides`: measured",
+  header({"damping ratio", "damping [N s/m]", "`may-pull`: formula", "`may-pull`: measured",
           "`push-only`: formula", "`push-only`: measured"});
   for (const double zeta : {0.0, 0.05, 0.1, 0.2, 0.5, 0.9, 1.0, 2.0}) {
     const double c = 200 * zeta;  // 2 sqrt(k m) = 200 N s/m
     std::vector<std::string> cells{text("%g", zeta), text("%g", c)};
-    for (const ContactLaw law : {ContactLaw::slides, ContactLaw::push_only}) {
+    for (const ContactLaw law : {ContactLaw::may_pull, ContactLaw::push_only}) {
       Damping scene = damped(c, law);
       scene.gravity = 0;
       scene.start = {1, -4};
@@ -305,17 +305,17 @@ void restitution_table() {
 }
 
 void first_apex() {
-  header({"damping [N s/m]", "damping ratio", "first top, `slides` [m]",
-          "pull at lift-off, `slides` [N]", "first top, `push-only` [m]"});
+  header({"damping [N s/m]", "damping ratio", "first top, `may-pull` [m]",
+          "pull at lift-off, `may-pull` [N]", "first top, `push-only` [m]"});
   for (const double c : {5.0, 18.0, 25.0, 43.0, 100.0, 140.0, 200.0}) {
     std::vector<std::string> cells{text("%g", c), text("%g", c / 200)};
-    for (const ContactLaw law : {ContactLaw::slides, ContactLaw::push_only}) {
+    for (const ContactLaw law : {ContactLaw::may_pull, ContactLaw::push_only}) {
       const Damping scene = damped(c, law);
       State<double> up{};
       const bool leaves = lift_off(scene, up);
       const double top = up.position + up.velocity * up.velocity / (2 * scene.gravity);
       cells.push_back(leaves ? text("%.3f", top) : "stays down");
-      if (law == ContactLaw::slides) cells.push_back(leaves ? text("%.1f", c * up.velocity) : "");
+      if (law == ContactLaw::may_pull) cells.push_back(leaves ? text("%.1f", c * up.velocity) : "");
     }
     row(cells);
   }
@@ -323,12 +323,12 @@ void first_apex() {
 
 /// Restitution of one touch after the other, with gravity: it depends on the speed.
 void bounces() {
-  header({"touch", "speed in, `slides` [m/s]", "restitution", "speed in, `push-only` [m/s]",
+  header({"touch", "speed in, `may-pull` [m/s]", "restitution", "speed in, `push-only` [m/s]",
           "restitution"});
   std::vector<std::vector<std::string>> rows;
   for (std::size_t n = 0; n < 12; ++n) rows.push_back({std::to_string(n + 1), "", "", "", ""});
-  for (const ContactLaw law : {ContactLaw::slides, ContactLaw::push_only}) {
-    const std::size_t column = law == ContactLaw::slides ? 1 : 3;
+  for (const ContactLaw law : {ContactLaw::may_pull, ContactLaw::push_only}) {
+    const std::size_t column = law == ContactLaw::may_pull ? 1 : 3;
     EventDriven<DampingExact> ball = walk(damped(18, law));
     for (auto& cells : rows) {
       ball.pass_event();
@@ -342,9 +342,9 @@ void bounces() {
     }
   }
   for (const auto& cells : rows) row(cells);
-  const double slides = restitution({1e4, 18, ContactLaw::slides}, 1);
+  const double may_pull = restitution({1e4, 18, ContactLaw::may_pull}, 1);
   const double push_only = restitution({1e4, 18, ContactLaw::push_only}, 1);
-  row({"without gravity", "any", text("%.4f", slides), "any", text("%.4f", push_only)});
+  row({"without gravity", "any", text("%.4f", may_pull), "any", text("%.4f", push_only)});
 }
 
 /// The resting height is right at every step; the first bounce is not.

@@ -130,7 +130,7 @@ TEST_CASE("a block that is as it should be passes, and one that drifted is found
       {"<!-- list: fall -->",
        "| parameter | unit | default | valid | meaning |\n|---|---|---|---|---|\n"
        "| `mass` | kg | 1 | positive | how much |\n"
-       "| `contact` |  | slides | a or b | may it pull? |\n",
+       "| `contact` |  | may-pull | a or b | may it pull? |\n",
        "| parameter | unit | default | valid | meaning |\n|---|---|---|---|---|\n"
        "| `mass` | kg | 2 | positive | how much |\n"},
       {"`fall --at 1`\n<!-- table: fall --at 1 -->", "t,y\n1,0.095\n", "t,y\n1,0.96\n"}};

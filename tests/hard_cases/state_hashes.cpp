@@ -74,7 +74,7 @@ const Runs all_runs[] = {
     {5, Needs::functions, "--set scene=drop --set count=100 --threads 2", 1},
     {6, Needs::functions, ""},
     {6, Needs::functions, "--set floor_law=absolute --set contact=push-only"},
-    {6, Needs::functions, "--set floor_law=slides --set floor_velocity=0.01"},
+    {6, Needs::functions, "--set floor_law=fixed-switch --set floor_velocity=0.01"},
     {7, Needs::arithmetic, ""},
     {7, Needs::arithmetic, "--set normal=1,3,-0.5 --set offset=0.2 --set contact=push-only"},
     {8, Needs::arithmetic, "--player none"},

@@ -77,7 +77,7 @@ double order_with_events(Step step, double damping) {
 }  // namespace
 
 TEST_CASE("with located events RK4 keeps its order 4 across bounces, without it falls to 1 or 2") {
-  for (const char* contact : {"slides", "push-only"}) {
+  for (const char* contact : {"may-pull", "push-only"}) {
     for (const double damping : {0.0, 5.0, 40.0}) {
       CAPTURE(contact);
       CAPTURE(damping);
@@ -108,8 +108,8 @@ TEST_CASE("the mechanism serves any stepping method") {
 }
 
 TEST_CASE("flights by formula save their force evaluations and change nothing else") {
-  Run stepped = run_of(5, "slides", Method::rk4_events, 1e-4);
-  Run formula = run_of(5, "slides", Method::flight_rk4, 1e-4);
+  Run stepped = run_of(5, "may-pull", Method::rk4_events, 1e-4);
+  Run formula = run_of(5, "may-pull", Method::flight_rk4, 1e-4);
   stepped.advance_to(5);
   formula.advance_to(5);
   // 50000 steps of four evaluations, and a few for the cuts, at each of 7 bounces.
@@ -127,7 +127,7 @@ TEST_CASE("the law of a phase is the scene's own law") {
     return std::uniform_real_distribution<double>(a, b)(random);
   };
   for (int i = 0; i < 2000; ++i) {
-    const ContactLaw law = i % 2 == 0 ? ContactLaw::slides : ContactLaw::push_only;
+    const ContactLaw law = i % 2 == 0 ? ContactLaw::may_pull : ContactLaw::push_only;
     const State<double> y{any(0, 0.2), any(-5, 5)};
     Damping line;
     line.damping = 40;
@@ -153,7 +153,7 @@ TEST_CASE("the law of a phase is the scene's own law") {
 
 TEST_CASE("no event is missed, however large the step") {
   // A step as long as a whole contact: the error is what it is, but each bounce happens.
-  for (const char* contact : {"slides", "push-only"}) {
+  for (const char* contact : {"may-pull", "push-only"}) {
     for (const double dt : {0.005, 0.02}) {
       Run run = run_of(1, contact, Method::flight_rk4, dt);
       CAPTURE(contact);

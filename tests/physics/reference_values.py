@@ -122,7 +122,7 @@ for m, g, r, k, c, push_only, y, v, times in CASES:
     ball = Ball(*exact, push_only, mpf(float(y)), mpf(float(v)))
     for t in times:
         answer = ball.at(mpf(float(t)))
-        law = "ContactLaw::push_only" if push_only else "ContactLaw::slides"
+        law = "ContactLaw::push_only" if push_only else "ContactLaw::may_pull"
         print(f"    {{{m}, {g}, {r}, {k}, {c}, {law}, {y}, {v},")
         print(f"     {t}, {mp.nstr(answer[0], 20)}, {mp.nstr(answer[1], 20)}}},")
 print("};")

@@ -186,7 +186,7 @@ TEST_CASE("--list names methods and parameters, and what is valid") {
       CHECK(contains(run.out, word));
     }
   }
-  CHECK(contains(run_program("03_damping --list").out, "slides or push-only"));
+  CHECK(contains(run_program("03_damping --list").out, "may-pull or push-only"));
   CHECK(contains(run_program("03_damping --list --set mass=7").out, "mass       kg     1 "));
 }
 
@@ -222,7 +222,7 @@ TEST_CASE(
       {"--set damping=-1", "damping", "-1", "0 to"},
       {"--set gravity=-9.81", "gravity", "-9.81", "0 to"},
       {"--set position=up", "position", "up", "number"},
-      {"--set contact=sticky", "contact", "sticky", "slides or push-only"},
+      {"--set contact=sticky", "contact", "sticky", "may-pull or push-only"},
       {"--set stifness=3", "stifness", "did you mean stiffness", "damping"},
       {"--set damping", "--set", "damping", "NAME=VALUE"},
       {"--set =3", "parameter", "''", "mass"},

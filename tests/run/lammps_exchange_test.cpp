@@ -84,7 +84,7 @@ TEST_CASE("what LAMMPS would compute otherwise is not exported: exit code 2, and
     std::string words, says;
   } refused[] = {
       {"--method rk4", "velocity-verlet"},
-      {verlet + "--set damping=1 --set contact=push-only", "contact=slides"},
+      {verlet + "--set damping=1 --set contact=push-only", "contact=may-pull"},
       {verlet + "--set damping=1 --balls " + unequal.path, "same mass"},
       {verlet + "--set floor_damping=1 --balls " + unequal.path, "same mass"},
       {verlet + "--balls " + below.path, "beyond"},

@@ -38,8 +38,8 @@ double stepped_restitution(Damping scene, Step step, double dt) {
 }  // namespace
 
 TEST_CASE("stage 3: the damper brakes both ways, and only in the floor") {
-  const Damping scene = ball(5, ContactLaw::slides);
-  Damping undamped = ball(0, ContactLaw::slides);
+  const Damping scene = ball(5, ContactLaw::may_pull);
+  Damping undamped = ball(0, ContactLaw::may_pull);
   for (const double v : {-3.0, 2.0}) {
     INFO("v = ", v, ": the wrong sign drives the ball instead of braking it");
     CHECK(scene.force(0, {0.05, v}) - undamped.force(0, {0.05, v}) ==
@@ -50,7 +50,7 @@ TEST_CASE("stage 3: the damper brakes both ways, and only in the floor") {
 }
 
 TEST_CASE("stage 3: restitution against damping, both laws, several steps, against the formulas") {
-  for (const ContactLaw law : {ContactLaw::slides, ContactLaw::push_only}) {
+  for (const ContactLaw law : {ContactLaw::may_pull, ContactLaw::push_only}) {
     for (const double zeta : {0.05, 0.2, 0.5, 0.9}) {
       const Damping scene = ball(200 * zeta, law);
       const double e = restitution({scene.stiffness, scene.damping, law}, scene.mass);
@@ -68,7 +68,7 @@ TEST_CASE("stage 3: restitution against damping, both laws, several steps, again
 }
 
 TEST_CASE("stage 3: without located events every method is of first order at a damped touch") {
-  const Damping scene = ball(22, ContactLaw::slides);
+  const Damping scene = ball(22, ContactLaw::may_pull);
   for (const auto& method : all_methods<Damping>()) {
     std::vector<double> dts, errors;
     EventDriven<DampingExact> exact(DampingExact(scene), 0, scene.start);
@@ -91,7 +91,7 @@ TEST_CASE("stage 3: without located events every method is of first order at a d
 
 TEST_CASE("stage 3: three regimes: it bounces, or it creeps") {
   for (const double zeta : {0.2, 0.9, 1.0, 2.5}) {
-    const Damping scene = ball(200 * zeta, ContactLaw::slides);
+    const Damping scene = ball(200 * zeta, ContactLaw::may_pull);
     EventDriven<DampingExact> exact(DampingExact(scene), 0, scene.start);
     exact.pass_event();  // touch
     CAPTURE(zeta);
@@ -107,7 +107,7 @@ TEST_CASE("stage 3: the first height against the damping, as the demo promises")
   };
   // Heights from semi-implicit Euler with dt = 1e-6, right to 1e-4.
   for (const Row& row : {Row{5, .8653}, Row{18, .6000}, Row{43, .3119}, Row{100, .1162}}) {
-    const Damping scene = ball(row.damping, ContactLaw::slides);
+    const Damping scene = ball(row.damping, ContactLaw::may_pull);
     EventDriven<DampingExact> exact(DampingExact(scene), 0, scene.start);
     exact.pass_event();
     exact.pass_event();
@@ -117,10 +117,10 @@ TEST_CASE("stage 3: the first height against the damping, as the demo promises")
   }
   // At 200 (critical) the slides' contact keeps the ball, the push-only contact lets it hop to
   // 0.1037 m.
-  const Damping kept = ball(200, ContactLaw::slides);
-  EventDriven<DampingExact> slides(DampingExact(kept), 0, kept.start);
-  slides.pass_event();
-  CHECK(slides.next_event() == never);
+  const Damping kept = ball(200, ContactLaw::may_pull);
+  EventDriven<DampingExact> may_pull(DampingExact(kept), 0, kept.start);
+  may_pull.pass_event();
+  CHECK(may_pull.next_event() == never);
   const Damping hops = ball(200, ContactLaw::push_only);
   EventDriven<DampingExact> push(DampingExact(hops), 0, hops.start);
   while (push.phase() != Phase::flight || push.last_event() == 0) push.pass_event();
@@ -129,7 +129,7 @@ TEST_CASE("stage 3: the first height against the damping, as the demo promises")
 }
 
 TEST_CASE("stage 3: the slides' contact pulls just before lift-off, push-only never does") {
-  for (const ContactLaw law : {ContactLaw::slides, ContactLaw::push_only}) {
+  for (const ContactLaw law : {ContactLaw::may_pull, ContactLaw::push_only}) {
     const Damping scene = ball(43, law);
     State<double> state = scene.start;
     double smallest = 0;
@@ -138,7 +138,7 @@ TEST_CASE("stage 3: the slides' contact pulls just before lift-off, push-only ne
       smallest = std::min(smallest, scene.force(0, state) + scene.mass * scene.gravity);
     }
     CAPTURE(int(law));
-    if (law == ContactLaw::slides) {
+    if (law == ContactLaw::may_pull) {
       // At lift-off the spring is slack and the damper alone acts: -c v, with v of about e x 4.2
       // m/s.
       CHECK(smallest < -43 * 1.5);
@@ -151,7 +151,7 @@ TEST_CASE("stage 3: the slides' contact pulls just before lift-off, push-only ne
 
 TEST_CASE(
     "stage 3: every method comes to rest at r - m g / k; so that proves nothing about accuracy") {
-  for (const ContactLaw law : {ContactLaw::slides, ContactLaw::push_only}) {
+  for (const ContactLaw law : {ContactLaw::may_pull, ContactLaw::push_only}) {
     for (const auto& method : all_methods<Damping>()) {
       for (const double dt : {1e-3, 2e-4}) {
         Damping scene = ball(60, law);
@@ -164,7 +164,7 @@ TEST_CASE(
 }
 
 TEST_CASE("stage 3: without damping it is stage 2, to the bit") {
-  for (const ContactLaw law : {ContactLaw::slides, ContactLaw::push_only}) {
+  for (const ContactLaw law : {ContactLaw::may_pull, ContactLaw::push_only}) {
     const Damping scene = ball(0, law);
     const struct {
       double mass = 1, gravity = 9.81, radius = 0.1, stiffness = 1e4;

@@ -34,7 +34,7 @@ const std::vector<Method> stepping{Method::explicit_euler, Method::semi_implicit
 Run4 run_from(const State<Vector3d>& start, Method method, double dt, ContactLaw law) {
   Run4 run;
   find_parameter(run.parameters(), "contact")
-      .set(law == ContactLaw::slides ? "slides" : "push-only");
+      .set(law == ContactLaw::may_pull ? "may-pull" : "push-only");
   run.use_method(method);
   run.use_dt(dt);
   run.restart();
@@ -46,14 +46,14 @@ Run4 run_from(const State<Vector3d>& start, Method method, double dt, ContactLaw
 }  // namespace
 
 TEST_CASE("stage 4: without sideways velocity it is stage 3, to the bit") {
-  for (const ContactLaw law : {ContactLaw::slides, ContactLaw::push_only}) {
+  for (const ContactLaw law : {ContactLaw::may_pull, ContactLaw::push_only}) {
     std::vector<Method> methods = stepping;
     methods.push_back(Method::exact);
     for (const Method method : methods) {
       for (const double dt : steps_sizes) {
         Run3 line;
         find_parameter(line.parameters(), "contact")
-            .set(law == ContactLaw::slides ? "slides" : "push-only");
+            .set(law == ContactLaw::may_pull ? "may-pull" : "push-only");
         line.use_method(method);
         line.use_dt(dt);
         line.restart();
@@ -79,7 +79,7 @@ TEST_CASE("stage 4: the frictionless floor leaves the sideways velocity alone, t
   // No force has a part along x or z, so nothing but zero may ever be added there. A damper that
   // acts on the whole velocity vector fails here.
   const double vx = 1.2345678, vz = -0.3217;
-  for (const ContactLaw law : {ContactLaw::slides, ContactLaw::push_only}) {
+  for (const ContactLaw law : {ContactLaw::may_pull, ContactLaw::push_only}) {
     for (const Method method : stepping) {
       for (const double dt : steps_sizes) {
         Run4 run = run_from({{0, 1, 0}, {vx, 0, vz}}, method, dt, law);
@@ -109,8 +109,8 @@ TEST_CASE("stage 4: whoever looks from a turned frame sees the turned movement")
     const State<Vector3d> turned{turn * start.position, turn * start.velocity};
     for (const Method method : stepping) {
       for (const double dt : steps_sizes) {
-        Run4 run = run_from(start, method, dt, ContactLaw::slides);
-        Run4 other = run_from(turned, method, dt, ContactLaw::slides);
+        Run4 run = run_from(start, method, dt, ContactLaw::may_pull);
+        Run4 other = run_from(turned, method, dt, ContactLaw::may_pull);
         run.advance_to(duration);
         other.advance_to(duration);
         // Each of the n steps adds to a position and rounds by half an epsilon of it. The position
@@ -166,7 +166,7 @@ TEST_CASE("stage 4: flight is a parabola") {
 }
 
 TEST_CASE("stage 4: exact is stage 3's exact upwards, and uniform motion sideways") {
-  for (const char* contact : {"slides", "push-only"}) {
+  for (const char* contact : {"may-pull", "push-only"}) {
     Run3 line;
     Run4 space;
     find_parameter(line.parameters(), "contact").set(contact);

@@ -49,7 +49,7 @@ struct Start {
     scene.gravity = of.gravity;
     scene.stiffness = scene.floor_stiffness = of.stiffness;
     scene.damping = scene.floor_damping = of.damping;
-    scene.contact = of.push_only ? ContactLaw::push_only : ContactLaw::slides;
+    scene.contact = of.push_only ? ContactLaw::push_only : ContactLaw::may_pull;
     scene.floor = of.floor;
   }
 
@@ -119,7 +119,7 @@ TEST_CASE("stage 5: reference follows a head-on contact as the damped oscillator
   // With e = x1 - x2 - (r1 + r2) the pair is one oscillator with the reduced mass. From the touch
   // on its movement, its end and its restitution are formulas (contact.hpp, damped_oscillator.hpp).
   const double m1 = 0.7, m2 = 2, reduced = m1 * m2 / (m1 + m2), speed = 1.5, apart = 0.25;
-  for (const ContactLaw law : {ContactLaw::slides, ContactLaw::push_only}) {
+  for (const ContactLaw law : {ContactLaw::may_pull, ContactLaw::push_only}) {
     for (const double zeta : {0.0, 0.1, 0.5, 0.9, 0.999999, 1.0, 1.5, 4.0}) {
       Start start({{m1, 0.1, -0.1 - apart, 0, 0, speed, 0, 0}, {m2, 0.2, 0.2, 0, 0, 0, 0, 0}});
       start.scene.contact = law;
@@ -162,7 +162,7 @@ TEST_CASE("stage 5: reference obeys the law of the other methods, in crowds") {
     start.scene.tray = {0.5, 0.3};
     start.scene.damping = crowd % 3 * 10;
     start.scene.floor_damping = crowd % 2 * 30;
-    start.scene.contact = crowd % 4 < 2 ? ContactLaw::slides : ContactLaw::push_only;
+    start.scene.contact = crowd % 4 < 2 ? ContactLaw::may_pull : ContactLaw::push_only;
     Balls plain = start.balls;
     constexpr double dt = 1e-6;
     for (int i = 0; i < 50000; ++i) rk4(start.scene, 0, plain, dt);
@@ -201,7 +201,7 @@ TEST_CASE("stage 5: balls that lie or move together do not keep reference from g
   for (int n = 0; n < 6; ++n) row.push_back({1, 0.1, 0.2 * n, 0.5, 0.1 * n, 1, 3, 0});
   for (int n = 0; n < 6; ++n) row.push_back({1, 0.1, 0.2 * n, 1.5, 0, 1, 3, 1e-15 * n});
   for (const double damping : {0.0, 20.0, 400.0}) {
-    for (const ContactLaw law : {ContactLaw::slides, ContactLaw::push_only}) {
+    for (const ContactLaw law : {ContactLaw::may_pull, ContactLaw::push_only}) {
       for (const auto& rows : {cube, row}) {
         Start start(rows);
         start.scene.gravity = 9.81;
@@ -224,7 +224,7 @@ TEST_CASE("stage 5: stacked balls come to rest where their weight presses the sp
   const int count = 4;
   std::vector<std::vector<double>> rows;
   for (int n = 0; n < count; ++n) rows.push_back({1, 0.1, 0, 0.1 + 0.2 * n, 0, 0, 0, 0});
-  for (const ContactLaw law : {ContactLaw::slides, ContactLaw::push_only}) {
+  for (const ContactLaw law : {ContactLaw::may_pull, ContactLaw::push_only}) {
     Start start(rows);
     start.scene.gravity = 9.81;
     start.scene.floor = true;

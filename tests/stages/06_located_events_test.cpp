@@ -54,7 +54,7 @@ class Dice {
   OscillatingFloor scene(int n) {
     OscillatingFloor scene;
     scene.floor_law = static_cast<FloorLaw>(n % 3);
-    scene.contact = n / 3 % 2 == 0 ? ContactLaw::slides : ContactLaw::push_only;
+    scene.contact = n / 3 % 2 == 0 ? ContactLaw::may_pull : ContactLaw::push_only;
     const double zetas[] = {0, between(0, 0.3), between(0.3, 2), between_powers(2, 50)};
     scene.mass = between_powers(0.05, 8);
     const double omega0 = between_powers(30, 1000);
@@ -106,13 +106,13 @@ class Sensitivity {
 bool contradicts(const OscillatingFloor& scene, Phase phase, double t, const State<double>& ball,
                  double rounding) {
   const double floor = scene.floor_height(t), y = ball.position;
-  const double gap = y - (scene.floor_law == FloorLaw::slides ? 0 : floor) - scene.radius;
+  const double gap = y - (scene.floor_law == FloorLaw::fixed_switch ? 0 : floor) - scene.radius;
   const double damped = scene.damped_velocity(t, ball.velocity);
   const double push = scene.stiffness * (scene.radius - y + floor) - scene.damping * damped;
   const double force = rounding * (scene.stiffness + 100 * scene.damping);
   if (phase == Phase::flight) return gap < -rounding;
   if (gap > rounding) return true;
-  if (scene.contact == ContactLaw::slides) return false;
+  if (scene.contact == ContactLaw::may_pull) return false;
   return phase == Phase::touch ? push < -force : push > force;
 }
 
@@ -185,8 +185,8 @@ TEST_CASE("stage 6: reference agrees with exact to 1e-10 m, under all laws") {
 }
 
 TEST_CASE("stage 6: with located events RK4 keeps its order 4 on a moving floor") {
-  for (const FloorLaw law : {FloorLaw::relative, FloorLaw::absolute, FloorLaw::slides}) {
-    for (const ContactLaw contact : {ContactLaw::slides, ContactLaw::push_only}) {
+  for (const FloorLaw law : {FloorLaw::relative, FloorLaw::absolute, FloorLaw::fixed_switch}) {
+    for (const ContactLaw contact : {ContactLaw::may_pull, ContactLaw::push_only}) {
       for (const double damping : {0.0, 14.17, 120.0}) {
         OscillatingFloor scene;
         scene.floor_law = law;
@@ -311,7 +311,7 @@ TEST_CASE("stage 6: a ball that stays on the shaken floor is followed for as lon
 
 TEST_CASE("stage 6: who looks at a run does not change it, and a saved run goes on to the bit") {
   for (const Method method : {Method::reference, Method::rk4_events, Method::flight_rk4}) {
-    for (const char* law : {"relative", "absolute", "slides"}) {
+    for (const char* law : {"relative", "absolute", "fixed-switch"}) {
       const auto fresh = [&] {
         Run run;
         find_parameter(run.parameters(), "floor_law").set(law);

@@ -22,8 +22,8 @@ namespace {
 
 using Walker = EventDriven<OscillatingFloorExact>;
 constexpr double pi = std::numbers::pi;
-constexpr auto laws = {FloorLaw::relative, FloorLaw::absolute, FloorLaw::slides};
-constexpr auto contacts = {ContactLaw::slides, ContactLaw::push_only};
+constexpr auto laws = {FloorLaw::relative, FloorLaw::absolute, FloorLaw::fixed_switch};
+constexpr auto contacts = {ContactLaw::may_pull, ContactLaw::push_only};
 
 Walker exact_of(const OscillatingFloor& scene, double t = 0) {
   return Walker(OscillatingFloorExact(scene), t, scene.start);
@@ -106,9 +106,9 @@ class PlainRk4 {
     return p_.stiffness * (p_.radius - (y - floor(t))) - p_.damping * damped;
   }
   bool should_push(double t, double y, double v) const {
-    const double level = p_.floor_law == FloorLaw::slides ? 0 : floor(t);
+    const double level = p_.floor_law == FloorLaw::fixed_switch ? 0 : floor(t);
     if (!(y - level < p_.radius)) return false;
-    return p_.contact == ContactLaw::slides || push(t, y, v) > 0;
+    return p_.contact == ContactLaw::may_pull || push(t, y, v) > 0;
   }
   double a(double t, double y, double v) const {
     return (pushing_ ? push(t, y, v) / p_.mass : 0) - p_.gravity;
@@ -223,7 +223,7 @@ TEST_CASE("stage 6: the slides' switch pulls a ball down through air") {
   scene.angular_frequency = 0;
   scene.phase = -pi / 2;
   scene.start = {0.0995, 0};
-  scene.floor_law = FloorLaw::slides;
+  scene.floor_law = FloorLaw::fixed_switch;
   CHECK(scene.force(0, scene.start) + 0.981 == doctest::Approx(-49.5));
   const double a0 = (49.5 + 0.981) / 0.1, beta = 2, omega_d = std::sqrt(1e4 - 4);
   const double v = -a0 / omega_d * std::exp(-beta * 0.005) * std::sin(omega_d * 0.005);
@@ -372,7 +372,7 @@ TEST_CASE("stage 6: no change of phase is missed") {
   for (int n = 0; n < 24000; ++n) {
     OscillatingFloor scene;
     scene.floor_law = static_cast<FloorLaw>(n % 3);
-    scene.contact = n % 2 == 0 ? ContactLaw::slides : ContactLaw::push_only;
+    scene.contact = n % 2 == 0 ? ContactLaw::may_pull : ContactLaw::push_only;
     scene.damping = n % 5 == 0 ? 0 : uniform(0, 250);
     // Over-damped up to zeta = 5000: there the fast exponential's bound is dropped as it decays.
     if (n % 5 == 1) scene.damping = std::exp(uniform(std::log(200.0), std::log(1e6)));
@@ -396,7 +396,7 @@ TEST_CASE("stage 6: no change of phase is missed") {
     const auto violated = [&](double t, double tolerance) {
       const State<double> ball = phases.move(phase, start, t);
       const double floor = scene.floor_height(begin + t), y = ball.position;
-      const double level = scene.floor_law == FloorLaw::slides ? 0 : floor;
+      const double level = scene.floor_law == FloorLaw::fixed_switch ? 0 : floor;
       const double gap = y - level - scene.radius;
       const double damped = scene.damped_velocity(begin + t, ball.velocity);
       const double push = scene.stiffness * (scene.radius - y + floor) - scene.damping * damped;

@@ -90,7 +90,7 @@ TEST_CASE("stage 7: without gravity and damper the plane is a mirror") {
 
 TEST_CASE("stage 7: across the plane it is stage 3 with gravity's normal component") {
   for (const Vector3d& n : normals) {
-    for (const char* contact : {"slides", "push-only"}) {
+    for (const char* contact : {"may-pull", "push-only"}) {
       for (const Method method : all_methods) {
         for (const double dt : {1e-3, 1e-4}) {
           Run3 line = run_with<Run3>({{"gravity", to_text(g * n.y())},
@@ -216,7 +216,7 @@ TEST_CASE("stage 7: a plane's equation is scaled as a whole") {
 
 TEST_CASE("stage 7: a level plane through 0 is stage 4, to the bit") {
   for (const char* normal : {"0,1,0", "0,7,0", "0,1e-9,0"}) {
-    for (const char* contact : {"slides", "push-only"}) {
+    for (const char* contact : {"may-pull", "push-only"}) {
       for (const Method method : all_methods) {
         for (const double dt : {1e-2, 1e-3, 1e-4}) {
           const Settings shared{
@@ -288,7 +288,7 @@ TEST_CASE("stage 7: a plane may hang over the ball") {
   // step; in a damped contact its error is of order one: the force jumps by c v at the touch, so
   // that one step changes the velocity by at most c v dt / m, and the place by that times t.
   for (const double c : {0.0, 5.0, 500.0}) {  // elastic, under-damped, over-damped
-    for (const char* contact : {"slides", "push-only"}) {
+    for (const char* contact : {"may-pull", "push-only"}) {
       for (const char* normal : {"0,-1,0", "0.6,-0.8,0"}) {
         const Settings settings{{"normal", normal},        {"offset", "1"},
                                 {"damping", to_text(c)},   {"contact", contact},

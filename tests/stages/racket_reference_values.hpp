@@ -13,7 +13,7 @@ struct RacketReferenceCase {
 
 inline const std::vector<RacketReferenceCase> racket_reference_cases{
     {"on the rim",
-     "stiffness=1e4 damping=0 contact=slides position=0.33,1,0.02 velocity=0,0,0 "
+     "stiffness=1e4 damping=0 contact=may-pull position=0.33,1,0.02 velocity=0,0,0 "
      "racket_normal=0,1,0 "
      "racket_velocity=0,0,0",
      {
@@ -31,7 +31,7 @@ inline const std::vector<RacketReferenceCase> racket_reference_cases{
           -2.4703568038843358, 0.25551053510841078},
      }},
     {"on the rim, damped",
-     "stiffness=1e4 damping=14.17 contact=slides position=0.35,1,0 velocity=0,0,0 "
+     "stiffness=1e4 damping=14.17 contact=may-pull position=0.35,1,0 velocity=0,0,0 "
      "racket_normal=0,1,0 "
      "racket_velocity=0,0,0",
      {
@@ -67,7 +67,7 @@ inline const std::vector<RacketReferenceCase> racket_reference_cases{
           -5.5943816206875829, 1.4340623218357431},
      }},
     {"from below",
-     "stiffness=1e4 damping=5 contact=slides position=0.32,-0.5,0 velocity=0,6,0 "
+     "stiffness=1e4 damping=5 contact=may-pull position=0.32,-0.5,0 velocity=0,6,0 "
      "racket_normal=0,1,0 "
      "racket_velocity=0,0,0",
      {
@@ -89,7 +89,7 @@ inline const std::vector<RacketReferenceCase> racket_reference_cases{
           -9.1803814193040497, 0.0},
      }},
     {"off the face over the rim of a moving, leaning racket",
-     "stiffness=1e4 damping=10 contact=slides position=0.08,0.6,0.1 velocity=1,0,0.1 "
+     "stiffness=1e4 damping=10 contact=may-pull position=0.08,0.6,0.1 velocity=1,0,0.1 "
      "racket_normal=0.1,1,-0.05 "
      "racket_velocity=0.3,1.2,-0.2",
      {
@@ -109,7 +109,7 @@ inline const std::vector<RacketReferenceCase> racket_reference_cases{
           -1.5099757352199126, -0.12091369026532651},
      }},
     {"through the disc and out over the rim",
-     "stiffness=1e4 damping=5 contact=slides position=0.2,0.3,0 velocity=4,-14,1 "
+     "stiffness=1e4 damping=5 contact=may-pull position=0.2,0.3,0 velocity=4,-14,1 "
      "racket_normal=0,1,0 "
      "racket_velocity=0,0,0",
      {
@@ -153,7 +153,7 @@ inline const std::vector<RacketReferenceCase> racket_reference_cases{
           -5.0858780673727775, 0.0},
      }},
     {"onto the face from the rim",
-     "stiffness=2000 damping=20 contact=slides position=0.645,0.5,0 velocity=-1.2,0,0.3 "
+     "stiffness=2000 damping=20 contact=may-pull position=0.645,0.5,0 velocity=-1.2,0,0.3 "
      "racket_normal=0,1,0 "
      "racket_velocity=0,0,0",
      {

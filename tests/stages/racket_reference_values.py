@@ -192,7 +192,7 @@ inline const std::vector<RacketReferenceCase> racket_reference_cases{""")
         k, c, push_only, p, v, n, u = case
         text = lambda a: ",".join(str(x) for x in a)
         words = "stiffness=%s damping=%s contact=%s position=%s velocity=%s racket_normal=%s" % (
-            k, c, "push-only" if push_only else "slides", text(p), text(v), text(n))
+            k, c, "push-only" if push_only else "may-pull", text(p), text(v), text(n))
         print('    {"%s",\n     "%s "\n     "racket_velocity=%s",\n     {' % (name, words, text(u)))
         for row in range(1, 9):
             t = mpf(row) / 10

@@ -27,7 +27,7 @@ Triple to_triple(const Vector& vector) {
 }
 
 inline ContactLaw contact_law(const Setting& setting) {
-  return setting.push_only ? ContactLaw::push_only : ContactLaw::slides;
+  return setting.push_only ? ContactLaw::push_only : ContactLaw::may_pull;
 }
 
 /// A stage with one ball: `Scene` is the stage's struct.

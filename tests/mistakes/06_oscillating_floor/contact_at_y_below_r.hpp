@@ -5,7 +5,7 @@
 // [laws]
 bool touches(double y, double floor) const {
   // The slides' switch: wherever the floor is.
-  if (floor_law == FloorLaw::slides) return y < radius;
+  if (floor_law == FloorLaw::fixed_switch) return y < radius;
   return y < radius;
 }
 double damped_velocity(double t, double v) const {
