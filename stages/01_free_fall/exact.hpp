@@ -1,5 +1,5 @@
 #pragma once
-#include "free_fall.hpp"
+#include "01_free_fall/free_fall.hpp"
 #include "physics/closed_form.hpp"
 
 namespace bounce {

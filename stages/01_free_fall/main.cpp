@@ -1,8 +1,8 @@
+#include "01_free_fall/exact.hpp"
+#include "01_free_fall/free_fall.hpp"
 #include "app/demo.hpp"
 #include "app/palette.hpp"
 #include "app/side_view.hpp"
-#include "exact.hpp"
-#include "free_fall.hpp"
 #include "run/scene_simulation.hpp"
 
 using namespace bounce;

@@ -1,6 +1,6 @@
 #pragma once
+#include "02_spring_floor/spring_floor.hpp"
 #include "physics/closed_form.hpp"
-#include "spring_floor.hpp"
 
 namespace bounce {
 

@@ -1,9 +1,9 @@
+#include "02_spring_floor/exact.hpp"
+#include "02_spring_floor/spring_floor.hpp"
 #include "app/demo.hpp"
 #include "app/palette.hpp"
 #include "app/side_view.hpp"
-#include "exact.hpp"
 #include "run/scene_simulation.hpp"
-#include "spring_floor.hpp"
 
 using namespace bounce;
 

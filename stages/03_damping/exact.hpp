@@ -1,5 +1,5 @@
 #pragma once
-#include "damping.hpp"
+#include "03_damping/damping.hpp"
 #include "physics/closed_form.hpp"
 
 namespace bounce {

@@ -1,8 +1,8 @@
+#include "03_damping/damping.hpp"
+#include "03_damping/exact.hpp"
 #include "app/demo.hpp"
 #include "app/palette.hpp"
 #include "app/side_view.hpp"
-#include "damping.hpp"
-#include "exact.hpp"
 #include "run/scene_simulation.hpp"
 
 using namespace bounce;

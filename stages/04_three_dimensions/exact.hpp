@@ -2,9 +2,9 @@
 #include <Eigen/Core>
 #include <array>
 
+#include "04_three_dimensions/three_dimensions.hpp"
 #include "physics/closed_form.hpp"
 #include "physics/event_driven_in_space.hpp"
-#include "three_dimensions.hpp"
 
 namespace bounce {
 

@@ -1,9 +1,9 @@
+#include "04_three_dimensions/exact.hpp"
+#include "04_three_dimensions/three_dimensions.hpp"
 #include "app/demo.hpp"
 #include "app/palette.hpp"
 #include "app/space_view.hpp"
-#include "exact.hpp"
 #include "run/scene_simulation.hpp"
-#include "three_dimensions.hpp"
 
 using namespace bounce;
 

@@ -1,8 +1,8 @@
+#include "05_ball_collision/picture/balls_picture.hpp"
+#include "05_ball_collision/run/balls_simulation.hpp"
+#include "05_ball_collision/run/options.hpp"
 #include "app/demo.hpp"
 #include "app/palette.hpp"
-#include "balls_picture.hpp"
-#include "balls_simulation.hpp"
-#include "options.hpp"
 
 using namespace bounce;
 

@@ -2,9 +2,9 @@
 #include <Eigen/Core>
 #include <array>
 
+#include "07_tilted_plane/tilted_plane.hpp"
 #include "physics/closed_form.hpp"
 #include "physics/event_driven_in_space.hpp"
-#include "tilted_plane.hpp"
 
 namespace bounce {
 

@@ -2,12 +2,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "07_tilted_plane/exact.hpp"
+#include "07_tilted_plane/tilted_plane.hpp"
 #include "app/demo.hpp"
 #include "app/palette.hpp"
 #include "app/space_view.hpp"
-#include "exact.hpp"
 #include "run/scene_simulation.hpp"
-#include "tilted_plane.hpp"
 
 using namespace bounce;
 

@@ -1,8 +1,8 @@
+#include "08_racket_game/picture/game_view.hpp"
+#include "08_racket_game/picture/hands.hpp"
+#include "08_racket_game/run/options.hpp"
 #include "app/demo.hpp"
 #include "app/palette.hpp"
-#include "game_view.hpp"
-#include "hands.hpp"
-#include "options.hpp"
 
 using namespace bounce;
 

@@ -11,7 +11,7 @@
 
 #include <doctest/doctest.h>
 
-#include "05_ball_collision/scenes.hpp"
+#include "05_ball_collision/scenes/scenes.hpp"
 #include "many_balls/many_balls.hpp"
 #include "physics/integrators.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <ctime>
 
-#include "05_ball_collision/balls_picture.hpp"
-#include "05_ball_collision/balls_simulation.hpp"
+#include "05_ball_collision/picture/balls_picture.hpp"
+#include "05_ball_collision/run/balls_simulation.hpp"
 #include "app/window.hpp"
 
 using namespace bounce;

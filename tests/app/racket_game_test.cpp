@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "08_racket_game/racket_run.hpp"
+#include "08_racket_game/run/racket_run.hpp"
 #include "app/player.hpp"
 #include "run_program.hpp"
 

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <numbers>
 
-#include "06_oscillating_floor/exact.hpp"
+#include "06_oscillating_floor/exact/exact.hpp"
 #include "physics/closed_form.hpp"
 #include "physics/event_driven.hpp"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "06_oscillating_floor/sweep.hpp"
+#include "06_oscillating_floor/sweep/sweep.hpp"
 #include "docs/tables.hpp"
 #include "physics/event_driven.hpp"
 #include "physics/integrators.hpp"

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <string>
 
-#include "05_ball_collision/balls_file.hpp"
+#include "05_ball_collision/files/balls_file.hpp"
 
 using namespace bounce;
 

@@ -12,8 +12,8 @@
 
 #include "02_spring_floor/exact.hpp"
 #include "02_spring_floor/spring_floor.hpp"
-#include "08_racket_game/contact_steps.hpp"
-#include "08_racket_game/racket.hpp"
+#include "08_racket_game/racket_game.hpp"
+#include "08_racket_game/run/contact_steps.hpp"
 #include "physics/event_driven.hpp"
 #include "physics/integrators.hpp"
 #include "speed_vs_error/results.hpp"

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "08_racket_game/contact_steps.hpp"
-#include "08_racket_game/racket.hpp"
+#include "08_racket_game/racket_game.hpp"
+#include "08_racket_game/run/contact_steps.hpp"
 #include "physics/integrators.hpp"
 #include "run_program.hpp"
 

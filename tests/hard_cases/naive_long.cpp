@@ -8,7 +8,7 @@
 
 #include "02_spring_floor/spring_floor.hpp"
 #include "03_damping/damping.hpp"
-#include "06_oscillating_floor/exact.hpp"
+#include "06_oscillating_floor/exact/exact.hpp"
 #include "naive.hpp"
 #include "physics/event_driven.hpp"
 #include "physics/integrators.hpp"

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-#include "08_racket_game/racket.hpp"
+#include "08_racket_game/racket_game.hpp"
 #include "naive.hpp"
 #include "physics/integrators.hpp"
 

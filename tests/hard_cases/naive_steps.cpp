@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "02_spring_floor/spring_floor.hpp"
-#include "08_racket_game/racket.hpp"
+#include "08_racket_game/racket_game.hpp"
 #include "naive.hpp"
 #include "physics/integrators.hpp"
 #include "stability_measured.hpp"

@@ -2,7 +2,7 @@
 #include <random>
 
 #include "05_ball_collision/ball_collision.hpp"
-#include "05_ball_collision/scenes.hpp"
+#include "05_ball_collision/scenes/scenes.hpp"
 #include "many_balls/many_balls.hpp"
 
 namespace bounce::test {

@@ -9,7 +9,7 @@
 
 #include "01_free_fall/exact.hpp"
 #include "03_damping/exact.hpp"
-#include "05_ball_collision/balls_simulation.hpp"
+#include "05_ball_collision/run/balls_simulation.hpp"
 #include "stages/scene_simulations.hpp"
 
 using namespace bounce;

@@ -7,7 +7,7 @@
 #include "02_spring_floor/exact.hpp"
 #include "03_damping/exact.hpp"
 #include "04_three_dimensions/exact.hpp"
-#include "06_oscillating_floor/exact.hpp"
+#include "06_oscillating_floor/exact/exact.hpp"
 #include "07_tilted_plane/exact.hpp"
 #include "physics/bounce_batch.hpp"
 #include "run/scene_simulation.hpp"

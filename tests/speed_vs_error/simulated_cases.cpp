@@ -5,8 +5,8 @@
 #include <memory>
 #include <utility>
 
-#include "05_ball_collision/balls_simulation.hpp"
-#include "08_racket_game/racket_run.hpp"
+#include "05_ball_collision/run/balls_simulation.hpp"
+#include "08_racket_game/run/racket_run.hpp"
 #include "speed_vs_error/subjects.hpp"
 
 namespace bounce::report {

@@ -9,8 +9,8 @@
 #include <random>
 
 #include "03_damping/damping.hpp"
-#include "05_ball_collision/balls_file.hpp"
-#include "05_ball_collision/balls_simulation.hpp"
+#include "05_ball_collision/files/balls_file.hpp"
+#include "05_ball_collision/run/balls_simulation.hpp"
 #include "methods.hpp"
 #include "physics/integrators.hpp"
 

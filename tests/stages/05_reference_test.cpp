@@ -8,8 +8,8 @@
 #include <random>
 #include <vector>
 
-#include "05_ball_collision/ball_contacts.hpp"
-#include "05_ball_collision/balls_simulation.hpp"
+#include "05_ball_collision/reference/ball_contacts.hpp"
+#include "05_ball_collision/run/balls_simulation.hpp"
 #include "ball_reference_values.hpp"
 #include "methods.hpp"
 #include "physics/damped_oscillator.hpp"

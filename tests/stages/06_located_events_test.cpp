@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "06_oscillating_floor/exact.hpp"
+#include "06_oscillating_floor/exact/exact.hpp"
 #include "methods.hpp"
 #include "run_program.hpp"
 #include "stages/scene_simulations.hpp"

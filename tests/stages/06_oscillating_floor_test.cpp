@@ -7,9 +7,9 @@
 #include <random>
 
 #include "03_damping/exact.hpp"
-#include "06_oscillating_floor/exact.hpp"
-#include "06_oscillating_floor/steady_hand.hpp"
-#include "06_oscillating_floor/sweep.hpp"
+#include "06_oscillating_floor/exact/exact.hpp"
+#include "06_oscillating_floor/slider/steady_hand.hpp"
+#include "06_oscillating_floor/sweep/sweep.hpp"
 #include "methods.hpp"
 #include "physics/event_driven.hpp"
 #include "physics/text.hpp"

@@ -10,9 +10,9 @@
 
 #include "07_tilted_plane/exact.hpp"
 #include "07_tilted_plane/tilted_plane.hpp"
-#include "08_racket_game/contact_steps.hpp"
-#include "08_racket_game/racket.hpp"
-#include "08_racket_game/racket_run.hpp"
+#include "08_racket_game/racket_game.hpp"
+#include "08_racket_game/run/contact_steps.hpp"
+#include "08_racket_game/run/racket_run.hpp"
 #include "run/save_load.hpp"
 #include "run_program.hpp"
 #include "stages/scene_simulations.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "08_racket_game/racket.hpp"
-#include "08_racket_game/racket_run.hpp"
+#include "08_racket_game/racket_game.hpp"
+#include "08_racket_game/run/racket_run.hpp"
 #include "run_program.hpp"
 #include "stages/racket_reference_values.hpp"
 
@@ -159,7 +159,8 @@ TEST_CASE("stage 8: the error of reference follows its tolerance") {
 }
 
 TEST_CASE("stage 8: stepping methods follow the same law over the rim and beyond") {
-  // Another implementation of it: racket.hpp, by position. Pieces of omega0 dt = 1e-3, and kinks.
+  // Another implementation of it: racket_game.hpp, by position. Pieces of omega0 dt = 1e-3, and
+  // kinks.
   for (const test::RacketReferenceCase& it : test::racket_reference_cases) {
     CAPTURE(it.name);
     CHECK(largest_error(it, Method::rk4, 1e-12, 1e-3).position < 1e-4);

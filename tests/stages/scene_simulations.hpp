@@ -7,7 +7,7 @@
 #include "03_damping/exact.hpp"
 #include "04_three_dimensions/exact.hpp"
 #include "04_three_dimensions/three_dimensions.hpp"
-#include "06_oscillating_floor/exact.hpp"
+#include "06_oscillating_floor/exact/exact.hpp"
 #include "06_oscillating_floor/oscillating_floor.hpp"
 #include "07_tilted_plane/exact.hpp"
 #include "07_tilted_plane/tilted_plane.hpp"

@@ -1,5 +1,5 @@
 #ifndef BOUNCE_STAGE_HEADER
-#define BOUNCE_STAGE_HEADER "08_racket_game/racket.hpp"
+#define BOUNCE_STAGE_HEADER "08_racket_game/racket_game.hpp"
 #endif
 #include BOUNCE_STAGE_HEADER
 #include "adapt.hpp"

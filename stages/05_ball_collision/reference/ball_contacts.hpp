@@ -1,0 +1,250 @@
+#pragma once
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "05_ball_collision/ball_collision.hpp"
+#include "05_ball_collision/reference/touching.hpp"
+#include "physics/closed_form.hpp"
+
+namespace bounce {
+
+/// Who touches whom among many balls, in the form that `Reference` (physics/reference.hpp) asks
+/// for. There is no formula for a contact off centre, nor for three balls that touch at a time; but
+/// as long as nobody new touches and nobody lets go, the law is smooth.
+///
+/// Balls that lie or move together are apart, or overlap, by no more than rounding, and the sign of
+/// that is chance. So each change has to be larger than the rounding of what tells it. Nothing is
+/// lost by that: at overlap 0 a spring's force begins with 0, and a damper's with -c v; and two
+/// that have a speed against each other do not stay within rounding.
+class BallContacts {
+ public:
+  /// Two balls that run through each other, centre through centre.
+  static constexpr bool jumps_without_event = true;
+
+  using Balls = State<Eigen::Matrix3Xd>;
+  struct Watch {
+    Touching two;
+    Phase next;
+  };
+
+  BallContacts(const BallCollision& scene, const Balls& balls);
+
+  bool in_flight() const { return held_.empty(); }
+  double flight_time(double t, const Balls& balls);
+  Balls fly(const Balls& balls, double t) const { return bounce::fly(balls, scene_.gravity, t); }
+  void land(double t, Balls& balls) { pass({lands_, Phase::touch}, t, balls); }
+
+  const Eigen::Matrix3Xd& acceleration(double t, const Balls& balls) const;
+  const std::vector<Watch>& watches(const Balls& balls, double h);
+  Lasting lasts(const Watch& watch, double t, const Balls& balls,
+                const Eigen::Matrix3Xd& acceleration) const;
+  double rounding(const Watch& watch, const Balls& balls) const;
+  bool resolves(const Balls& before, const Balls& after, double h) const;
+  void pass(const Watch& watch, double t, Balls& balls);
+  double time_scale() const;
+
+  /// For saving and loading, as plain numbers: who touches or has let go. What does not fit the
+  /// balls is refused.
+  std::vector<double> phases() const;
+  bool recall_phases(std::span<const double> numbers);
+
+ private:
+  SpringDamper law_of(const Touching& two) const {
+    return two.is_surface() ? scene_.floor_contact() : scene_.pair_contact();
+  }
+  static double force(const SpringDamper& law, const Gap& gap) {
+    return -law.stiffness * gap.gap - law.damping * gap.speed;  // also where it would pull
+  }
+  bool lets_go(const Touching& two) const {
+    const SpringDamper law = law_of(two);
+    return law.law == ContactLaw::push_only && law.damping > 0;
+  }
+  template <class Visit>
+  void for_each_two(const Balls& balls, double range, const Visit& visit);
+
+  BallCollision scene_;
+  std::vector<Touching> held_;  // those that touch or have let go, in order
+  std::vector<Watch> watches_;
+  double range_ = 0;  // m: who is further apart is not watched
+  Touching lands_{};  // who ends the flight
+  NeighbourGrid grid_;
+  mutable Eigen::Matrix3Xd acceleration_;
+};
+
+/// Calls visit(two) for all that are no further apart than `range`, in order: for each ball the
+/// surfaces, then the balls with higher numbers.
+template <class Visit>
+void BallContacts::for_each_two(const Balls& balls, double range, const Visit& visit) {
+  const Eigen::VectorXd reach = scene_.radius.array() + range / 2;
+  const std::vector<BallPair>& pairs = grid_.pairs(balls.position, reach);
+  auto pair = pairs.begin();
+  for (int i = 0; i < scene_.mass.size(); ++i) {
+    scene_.for_each_surface(balls.position, i, [&](Eigen::Index axis, double sign, double overlap) {
+      if (overlap >= -range) visit(Touching{i, -1, static_cast<int>(axis), sign > 0 ? 1 : -1});
+    });
+    for (; pair != pairs.end() && pair->first == i; ++pair) visit(Touching{i, pair->second});
+  }
+}
+
+inline BallContacts::BallContacts(const BallCollision& scene, const Balls& balls) : scene_(scene) {
+  for_each_two(balls, 0, [&](Touching two) {
+    const Gap gap = gap_of(scene_, two, balls);
+    if (!(gap.gap < 0)) return;
+    const bool pulls = lets_go(two) && force(law_of(two), gap) <= 0;
+    two.phase = pulls ? Phase::let_go : Phase::touch;
+    held_.push_back(two);
+  });
+  std::sort(held_.begin(), held_.end());
+}
+
+inline double BallContacts::flight_time(double /*t*/, const Balls& balls) {
+  double first = never;
+  for_each_two(balls, never, [&](const Touching& two) {
+    const double time = time_to_touch(scene_, two, balls);
+    if (!(time < first)) return;
+    first = time;
+    lands_ = two;
+  });
+  return first;
+}
+
+/// Gravity, and the forces of those that touch now, whatever their overlap.
+inline const Eigen::Matrix3Xd& BallContacts::acceleration(double /*t*/, const Balls& balls) const {
+  acceleration_.setZero(3, scene_.mass.size());
+  acceleration_.row(1).setConstant(-scene_.gravity);
+  for (const Touching& two : held_) {
+    if (two.phase != Phase::touch) continue;
+    const Gap gap = gap_of(scene_, two, balls);
+    const Eigen::Vector3d push = force(law_of(two), gap) * gap.direction;
+    acceleration_.col(two.first) += push / scene_.mass[two.first];
+    if (!two.is_surface()) acceleration_.col(two.second) -= push / scene_.mass[two.second];
+  }
+  return acceleration_;
+}
+
+/// The largest speed of any ball, along any axis [m/s].
+inline double top_speed(const State<Eigen::Matrix3Xd>& balls) {
+  return balls.velocity.cwiseAbs().maxCoeff();
+}
+
+inline const std::vector<BallContacts::Watch>& BallContacts::watches(const Balls& balls, double h) {
+  watches_.clear();
+  for (const Touching& two : held_) {
+    const bool touch = two.phase == Phase::touch;
+    if (touch && lets_go(two)) watches_.push_back({two, Phase::let_go});
+    if (!touch) watches_.push_back({two, Phase::touch});
+    if (!touch || !lets_go(two)) watches_.push_back({two, Phase::flight});
+  }
+  // Within the range are all that two balls at twice the top speed could close, and some more.
+  range_ = 2 * std::sqrt(3.0) * 2 * top_speed(balls) * h + scene_.radius.minCoeff();
+  for_each_two(balls, range_, [&](const Touching& two) {
+    if (!std::binary_search(held_.begin(), held_.end(), two)) {
+      watches_.push_back({two, Phase::touch});
+    }
+  });
+  return watches_;
+}
+
+/// Nobody comes from outside the range; and two that do not touch do not pass each other unseen.
+inline bool BallContacts::resolves(const Balls& before, const Balls& after, double h) const {
+  const double top = std::max(top_speed(before), top_speed(after));
+  if (!(2 * std::sqrt(3.0) * top * h <= range_)) return false;
+  for (const auto& [two, next] : watches_) {
+    if (two.phase == Phase::touch || two.is_surface()) continue;
+    const Gap start = gap_of(scene_, two, before), end = gap_of(scene_, two, after);
+    const double path = h * std::max(start.velocity.norm(), end.velocity.norm());
+    const double reach = scene_.radius[two.first] + scene_.radius[two.second];
+    if (path > 0.25 * reach && 1.5 * path > start.gap + end.gap) return false;
+  }
+  return true;
+}
+
+inline Lasting BallContacts::lasts(const Watch& watch, double /*t*/, const Balls& balls,
+                                   const Eigen::Matrix3Xd& acceleration) const {
+  const Touching& two = watch.two;
+  const Gap gap = gap_of(scene_, two, balls);
+  if (two.phase == Phase::flight) return {gap.gap, gap.speed};
+  if (watch.next == Phase::flight) return {-gap.gap, -gap.speed};
+  // From touch to let go, and back: the sign of the force. Balls that turn about each other get
+  // away from each other by that, too: the speed aside squared over the distance.
+  Eigen::Vector3d a = acceleration.col(two.first);
+  if (!two.is_surface()) a -= acceleration.col(two.second);
+  const Eigen::Vector3d aside = gap.velocity - gap.speed * gap.direction;
+  const double turning = two.is_surface() ? 0 : aside.squaredNorm() / gap.distance;
+  const SpringDamper law = law_of(two);
+  const double rate = -law.stiffness * gap.speed - law.damping * (a.dot(gap.direction) + turning);
+  const double sign = two.phase == Phase::touch ? 1 : -1;
+  return {sign * force(law, gap), sign * rate};
+}
+
+/// By how much the value of lasts() may be off.
+inline double BallContacts::rounding(const Watch& watch, const Balls& balls) const {
+  const Touching& two = watch.two;
+  const double of_gap = rounding_of_gap(scene_, two, balls);
+  if (two.phase == Phase::flight || watch.next == Phase::flight) return of_gap;
+  const SpringDamper law = law_of(two);
+  double speeds = balls.velocity.col(two.first).cwiseAbs().maxCoeff();
+  if (!two.is_surface()) speeds += balls.velocity.col(two.second).cwiseAbs().maxCoeff();
+  return law.stiffness * of_gap + law.damping * 8 * std::numeric_limits<double>::epsilon() * speeds;
+}
+
+inline void BallContacts::pass(const Watch& watch, double /*t*/, Balls& balls) {
+  Touching two = watch.two;
+  const bool touches_or_lifts = two.phase == Phase::flight || watch.next == Phase::flight;
+  if (two.is_surface() && touches_or_lifts) {  // then the distance is known exactly
+    balls.position(two.axis, two.first) =
+        wall_of(scene_, two) + two.sign * scene_.radius[two.first];
+  }
+  const auto place = std::lower_bound(held_.begin(), held_.end(), two);
+  two.phase = watch.next;
+  if (watch.two.phase == Phase::flight) {
+    held_.insert(place, two);
+  } else if (watch.next == Phase::flight) {
+    held_.erase(place);
+  } else {
+    *place = two;
+  }
+}
+
+/// Of the lightest ball, on the stiffest contact [s].
+inline double BallContacts::time_scale() const {
+  const double k = std::max(scene_.stiffness, scene_.floor_stiffness);
+  const double c = std::max(scene_.damping, scene_.floor_damping);
+  const double lightest = scene_.mass.minCoeff();
+  return 1 / (natural_frequency(k, lightest) + c / lightest);
+}
+
+inline std::vector<double> BallContacts::phases() const {
+  std::vector<double> numbers;
+  for (const Touching& two : held_) {
+    for (const int number : {two.first, two.second, two.axis, two.sign}) numbers.push_back(number);
+    numbers.push_back(two.phase == Phase::touch ? 1 : 2);
+  }
+  return numbers;
+}
+
+inline bool BallContacts::recall_phases(std::span<const double> numbers) {
+  held_.clear();
+  if (numbers.size() % 5 != 0) return false;
+  for (; !numbers.empty(); numbers = numbers.subspan(5)) {
+    const auto is_whole = [&](std::size_t i, double low, double high) {
+      return numbers[i] >= low && numbers[i] <= high && numbers[i] == std::floor(numbers[i]);
+    };
+    const auto last = static_cast<double>(scene_.mass.size() - 1);
+    if (!is_whole(0, 0, last) || !is_whole(1, -1, last) || !is_whole(2, 0, 2) ||
+        !is_whole(3, -1, 1) || !is_whole(4, 1, 2)) {
+      return false;
+    }
+    const auto whole = [&](std::size_t i) { return static_cast<int>(numbers[i]); };
+    held_.push_back(
+        {whole(0), whole(1), whole(2), whole(3), whole(4) == 1 ? Phase::touch : Phase::let_go});
+  }
+  std::sort(held_.begin(), held_.end());
+  return true;
+}
+
+}  // namespace bounce

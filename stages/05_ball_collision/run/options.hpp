@@ -1,0 +1,43 @@
+#pragma once
+#include <vector>
+
+#include "05_ball_collision/files/balls_file.hpp"
+#include "05_ball_collision/files/lammps_exchange.hpp"
+#include "05_ball_collision/run/balls_simulation.hpp"
+#include "run/options.hpp"
+
+namespace bounce {
+
+/// What this stage's command line has besides that of all stages.
+inline std::vector<StageOption> ball_collision_options() {
+  const auto balls = [](Simulation& simulation, const std::string& path) {
+    static_cast<BallsSimulation&>(simulation).use_balls(BallsFile(path).read(), path);
+  };
+  const auto threads = [](Simulation& simulation, const std::string& text) {
+    const std::optional<double> number = parse_number(text);
+    if (!number || *number != std::floor(*number) || *number < 1 || *number > 1024) {
+      throw BadInput("--threads '" + text +
+                     "' is not allowed: it must be a whole number from 1 to 1024");
+    }
+    static_cast<BallsSimulation&>(simulation).use_threads(static_cast<int>(*number));
+  };
+  return {{"--balls",
+           "FILE",
+           "balls from a CSV file in place of a scene: mass,radius,x,y,z,vx,vy,vz",
+           balls,
+           {"scene", "count", "gap"}},
+          {"--threads",
+           "N",
+           "threads that may be used (default 1); results do not depend on it",
+           threads,
+           {}},
+          {"--import-lammps",
+           "FILE",
+           "go on from the last frame of a LAMMPS dump",
+           {},
+           {},
+           import_lammps},
+          {"--export-lammps", "DIR", "write the run as files for LAMMPS, and end"}};
+}
+
+}  // namespace bounce

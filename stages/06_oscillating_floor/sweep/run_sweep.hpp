@@ -1,0 +1,72 @@
+#pragma once
+#include <chrono>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "06_oscillating_floor/oscillating_floor.hpp"
+#include "06_oscillating_floor/sweep/bifurcation_picture.hpp"
+#include "06_oscillating_floor/sweep/sweep.hpp"
+#include "app/demo.hpp"
+#include "run/interrupt.hpp"
+#include "run/output_file.hpp"
+
+namespace bounce {
+
+/// The rows of a sweep as a picture. A picture is of a run, so it takes one: at its first moment.
+inline void save_bifurcation(const std::vector<SweepRow>& rows, const Sweep& sweep,
+                             const std::string& unit, const Simulation& simulation,
+                             const Options& options, const Demo& demo) {
+  Demo picture = demo;
+  picture.bare = true;
+  const Range across{sweep.values.front(), sweep.values.back()};
+  picture.picture = [&](const Player&, const View&, Canvas& canvas) {
+    draw_bifurcation(canvas, rows, across, sweep.name, unit);
+  };
+  Options at_once = options;
+  at_once.duration = 0;
+  save_picture(picture, simulation.clone(), at_once, options.screenshot);
+}
+
+/// `--sweep`: many bounces for each value of a parameter, as rows and as a picture.
+inline std::optional<int> run_sweep(OscillatingFloor scene, const Simulation& simulation,
+                                    const Options& options, const Demo& demo) {
+  const auto asked = options.of_stage.find("--sweep");
+  if (asked == options.of_stage.end()) return std::nullopt;
+  const Sweep sweep = read_sweep(asked->second, scene);
+  if (options.csv.empty() && options.screenshot.empty()) {
+    throw BadInput("--sweep needs a place for its result: give --csv FILE (or -), or --screenshot");
+  }
+  constexpr int discarded = 300, kept = 100;  // bounces
+  const std::vector<Parameter> parameters = scene.parameters();
+  const Parameter& parameter = find_parameter(parameters, sweep.name);
+
+  std::optional<OutputFile> csv;
+  if (!options.csv.empty()) csv.emplace("--csv", options.csv);
+  if (csv) csv->write(sweep.name + ",phase,height\n");
+  const auto begin = std::chrono::steady_clock::now();
+  std::vector<SweepRow> rows;
+  catch_interrupts();
+  for (const double value : sweep.values) {
+    if (interrupted()) break;  // the rows until then are kept
+    parameter.set(to_text(value));
+    for (const Bounce& bounce : settled_bounces(scene, discarded, kept)) {
+      rows.push_back({value, bounce.phase, bounce.height});
+      if (!csv) continue;
+      csv->write(to_text(value) + "," + to_text(bounce.phase) + "," + to_text(bounce.height) +
+                 "\n");
+    }
+  }
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+  if (csv) csv->finish();
+  if (!options.screenshot.empty()) {
+    save_bifurcation(rows, sweep, parameter.unit, simulation, options, demo);
+  }
+  std::cerr << demo.stage.name << ": sweep of " << sweep.name << " values=" << sweep.values.size()
+            << " bounces_kept=" << rows.size() << " wall_s=" << to_rounded_text(wall.count())
+            << "\n";
+  return interrupted() ? exit_interrupted : exit_ok;
+}
+
+}  // namespace bounce

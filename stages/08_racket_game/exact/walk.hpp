@@ -1,0 +1,70 @@
+#pragma once
+#include <Eigen/Core>
+#include <optional>
+
+#include "08_racket_game/exact/exact.hpp"
+#include "physics/event_driven.hpp"
+#include "run/simulation.hpp"
+
+namespace bounce {
+
+/// A ball and a racket in uniform motion, from event to event. The walk is done in the racket's
+/// frame of reference, where the racket rests; nothing in a contact depends on who watches.
+class RacketWalk {
+ public:
+  using Ball = State<Eigen::Vector3d>;
+
+  /// `scene.disc` is the racket at time `scene.since`.
+  RacketWalk(const Racket& scene, double t, const Ball& ball)
+      : scene_(scene), walker_(RacketExact(scene), t, from_racket(ball, t)) {}
+
+  /// Passes the events up to `t`, but at most so many. Returns whether it got there.
+  bool reach(double t, long long most_events) {
+    for (; next_event() <= t; --most_events) {
+      if (most_events == 0) return false;
+      pass_event();
+    }
+    return true;
+  }
+
+  /// The state at `t`, before the next event. Throws NoClosedForm from the moment on at which the
+  /// ball meets the rim.
+  Ball at(double t) {
+    if (t >= dead_end_)
+      throw NoClosedForm(dead_end_,
+                         "the ball meets the racket's rim, for which "
+                         "there is no closed form,");
+    return to_ground(walker_.at(t), t);
+  }
+
+  double next_event() const { return dead_end_ < never ? never : walker_.next_event(); }
+  const EventDriven<RacketExact, Eigen::Vector3d>& walker() const { return walker_; }
+  void resume(double t, const Ball& seen_from_racket, Phase phase) {
+    walker_.resume(t, seen_from_racket, phase);
+    dead_end_ = never;
+  }
+
+ private:
+  void pass_event() {
+    const double when = walker_.next_event();
+    try {
+      walker_.pass_event();
+    } catch (const RimReached&) {
+      dead_end_ = when;
+    }
+  }
+  Ball from_racket(const Ball& ball, double t) const {
+    const Disc disc = scene_.disc_at(t);
+    return {ball.position - disc.centre, ball.velocity - disc.velocity};
+  }
+  Ball to_ground(const Ball& seen, double t) const {
+    const Disc disc = scene_.disc_at(t);
+    return {seen.position + disc.centre, seen.velocity + disc.velocity};
+  }
+
+  Racket scene_;
+  EventDriven<RacketExact, Eigen::Vector3d> walker_;
+  double dead_end_ = never;  // when the ball meets the rim, once that is known
+};
+
+}  // namespace bounce

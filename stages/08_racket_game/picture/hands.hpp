@@ -1,0 +1,70 @@
+#pragma once
+#include <algorithm>
+
+#include "08_racket_game/picture/best_score.hpp"
+#include "08_racket_game/picture/game_view.hpp"
+#include "08_racket_game/run/racket_run.hpp"
+#include "app/demo.hpp"
+
+namespace bounce {
+
+/// From keys and mouse to what the racket shall do. The mouse moves it, or the arrow keys,
+/// whichever was used last.
+class Hands {
+ public:
+  void operator()(Player& player, const Controls& controls, const GameView& view) {
+    RacketRun& run = static_cast<RacketRun&>(player.simulation());
+    keep_best(run);
+    if (controls.less) run.set_assist(run.settings().assist - 10);
+    if (controls.more) run.set_assist(run.settings().assist + 10);
+
+    const bool swing = controls.space || controls.button;
+    const bool pressed = swing && !swung_;
+    swung_ = swing;
+    const Round& round = run.round();
+    if (round.score.lost && pressed && round.clock - round.lost_clock > 0.3) {
+      player.restart();
+      return;
+    }
+
+    const Eigen::Vector3d home = run.settings().racket.disc.centre;
+    if (controls.mouse_moved) {
+      if (const auto place = view.on_racket_plane(controls.mouse)) {
+        aim_.x = place->x() - home.x();
+        aim_.z = place->z() - home.z();
+      }
+    }
+    const double reach = walking_speed * std::min(controls.seconds, 0.1);
+    aim_.x += reach * (controls.right - controls.left);
+    aim_.z += reach * (controls.down - controls.up);
+    aim_.x = std::clamp(aim_.x, -court, court);
+    aim_.z = std::clamp(aim_.z, -court, court);
+
+    Input input;
+    input.x = home.x() + aim_.x;
+    input.z = home.z() + aim_.z;
+    input.tilt_x = controls.d - controls.a;
+    input.tilt_z = controls.s - controls.w;
+    input.swing = swing ? 1 : 0;
+    run.want(input);
+  }
+
+ private:
+  static constexpr double court = 1.2;          // m from the middle to each side
+  static constexpr double walking_speed = 1.5;  // m/s, with the arrow keys
+
+  void keep_best(RacketRun& run) {
+    if (run.settings().player != PlayerKind::human || run.is_replay()) return;
+    if (best_ < 0) run.keep_best(best_ = file_.read());
+    if (run.round().score.best > best_) file_.write(best_ = run.round().score.best);
+  }
+
+  struct Aim {
+    double x = 0, z = 0;
+  } aim_;
+  bool swung_ = false;
+  BestScore file_;
+  int best_ = -1;  // not read yet
+};
+
+}  // namespace bounce

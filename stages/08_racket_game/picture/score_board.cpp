@@ -1,0 +1,164 @@
+#include "08_racket_game/picture/score_board.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+#include "app/drawing.hpp"
+#include "app/palette.hpp"
+
+namespace bounce {
+namespace {
+
+// Seven strokes: top, upper right, lower right, bottom, lower left, upper left, middle.
+constexpr std::array<unsigned, 10> strokes_of_digit{0b0111111, 0b0000110, 0b1011011, 0b1001111,
+                                                    0b1100110, 0b1101101, 0b1111101, 0b0000111,
+                                                    0b1111111, 0b1101111};
+
+void draw_digit(Canvas& canvas, Point at, float height, unsigned digit, Colour colour) {
+  const float w = height / 2, h = height / 2;
+  const std::array<std::array<Point, 2>, 7> strokes{{{{{0, 0}, {w, 0}}},
+                                                     {{{w, 0}, {w, h}}},
+                                                     {{{w, h}, {w, 2 * h}}},
+                                                     {{{w, 2 * h}, {0, 2 * h}}},
+                                                     {{{0, 2 * h}, {0, h}}},
+                                                     {{{0, h}, {0, 0}}},
+                                                     {{{0, h}, {w, h}}}}};
+  const float thick = height / 9;
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    if ((strokes_of_digit[digit] >> i & 1u) == 0) continue;
+    const std::array<Point, 2> line{Point{at.x + strokes[i][0].x, at.y + strokes[i][0].y},
+                                    Point{at.x + strokes[i][1].x, at.y + strokes[i][1].y}};
+    canvas.line(line, colour, thick);
+    for (const Point& end : line) canvas.disc(end, thick / 2, colour);
+  }
+}
+
+const char* name_of(PlayerKind player) {
+  switch (player) {
+    case PlayerKind::human:
+      return "you play";
+    case PlayerKind::autopilot:
+      return "the autopilot plays";
+    case PlayerKind::blind:
+      return "blind: a sine that never looks";
+    case PlayerKind::idle:
+      return "nobody plays";
+    case PlayerKind::none:
+      break;
+  }
+  return "";
+}
+
+void draw_keys(Canvas& canvas, Rect area, bool help) {
+  if (!help) {
+    draw_label(canvas, {area.x + 24, area.bottom() - 34},
+               "mouse or arrows: move    A D W S: tilt    Space or button: swing    "
+               "R: restart    - +: assist    M: sound    F1: all keys    Esc: quit",
+               palette::ink, Align::left, TextSize::normal);
+    return;
+  }
+  static constexpr std::array<std::array<const char*, 2>, 10> keys{
+      {{"mouse, arrows", "move the racket"},
+       {"A D W S", "tilt it: left, right, away, towards you"},
+       {"Space, button", "swing upwards; after a loss: play again"},
+       {"- and +", "less and more help with the aim"},
+       {"P", "pause;  . and ,  one step forward and back"},
+       {"O, L", "slow motion; a contact that lasts a second"},
+       {"R", "restart"},
+       {"M", "sound on and off"},
+       {"F12", "save a picture"},
+       {"F1, Esc", "this page; quit"}}};
+  const Rect page{area.width / 2 - 290, 150, 580, 322};
+  draw_rect(canvas, page, palette::paper.faded(0.95));
+  draw_frame(canvas, page, palette::ink, 1);
+  float y = page.y + 20;
+  for (const auto& [key, meaning] : keys) {
+    canvas.text({page.x + 24, y}, key, palette::ink, Align::left, TextSize::normal);
+    canvas.text({page.x + 170, y}, meaning, palette::ink, Align::left, TextSize::normal);
+    y += 29;
+  }
+}
+
+}  // namespace
+
+void draw_big_number(Canvas& canvas, Point right, float height, int number, Colour colour) {
+  const float advance = height * 0.72f;
+  Point at{right.x - height / 2, right.y};
+  for (int rest = std::max(0, number);; rest /= 10) {
+    draw_digit(canvas, at, height, static_cast<unsigned>(rest % 10), colour);
+    if (rest < 10) return;
+    at.x -= advance;
+  }
+}
+
+void draw_score_board(Canvas& canvas, const RacketRun& run, Rect area, bool help, bool muted) {
+  const Score& score = run.round().score;
+  const float right = area.right() - 32;
+  draw_big_number(canvas, {right, area.y + 52}, 60, score.hits, palette::ink);
+  canvas.text({right, area.y + 20}, "hits", palette::exact, Align::right, TextSize::title);
+  canvas.text({right, area.y + 126}, "best " + std::to_string(score.best), palette::ink,
+              Align::right, TextSize::title);
+
+  canvas.text({area.x + 28, area.y + 20},
+              run.is_replay() ? "a replay" : name_of(run.settings().player), palette::ink,
+              Align::left, TextSize::title);
+  std::string facts = "gravity " + to_rounded_text(run.gravity()) + " m/s^2     disc " +
+                      to_rounded_text(run.disc().radius * 100) + " cm";
+  if (run.settings().player == PlayerKind::human) {
+    facts += "     assist " + to_rounded_text(run.settings().assist) + " %";
+  }
+  if (muted) facts += "     sound off";
+  canvas.text({area.x + 28, area.y + 48}, facts, palette::exact, Align::left, TextSize::normal);
+  draw_keys(canvas, area, help);
+  if (score.lost && !help) {
+    const Point middle{area.x + area.width / 2, area.y + 190};
+    const Rect plate{middle.x - 210, middle.y - 22, 420, 92};
+    draw_rect(canvas, plate, palette::paper.faded(0.92));
+    draw_frame(canvas, plate, palette::ink, 1.5f);
+    const std::string count = std::to_string(score.hits) + (score.hits == 1 ? " hit" : " hits");
+    canvas.text(middle,
+                "Lost after " + count +
+                    (score.hits == score.best && score.hits > 0 ? ": your best so far" : ""),
+                palette::ink, Align::centre, TextSize::title);
+    canvas.text({middle.x, middle.y + 32}, "Space or R: play again", palette::ink, Align::centre,
+                TextSize::normal);
+  }
+}
+
+void draw_blind_history(Canvas& canvas, const RacketRun& run, const Player& player, Rect area) {
+  constexpr double seconds = 15;
+  const Rect box{area.x + 28, area.y + 110, 380, 190};
+  draw_rect(canvas, box, palette::paper.faded(0.9));
+  draw_frame(canvas, box, palette::grid_major, 1);
+  const double home = run.settings().racket.disc.centre.y();
+  const double now = player.shown_time(), first = std::max(0.0, now - seconds);
+  const auto at = [&](double t, double height) {
+    return Point{box.x + static_cast<float>((t - first) / seconds) * box.width,
+                 box.bottom() - 24 - static_cast<float>(height / 1.7) * (box.height - 40)};
+  };
+  const BlindStart start = blind_start(run.settings());
+  const double top = start.top + run.settings().racket.radius;
+  const std::array<Point, 2> level{at(first, top), at(first + seconds, top)};
+  draw_dashed(canvas, level, palette::exact, 1);
+  std::vector<Point> ball, racket;
+  const auto& trace = player.trace();
+  for (std::size_t i = 0; i < trace.size(); i += 8) {
+    if (trace[i].t < first) continue;
+    ball.push_back(at(trace[i].t, trace[i].values[1] - home));
+    racket.push_back(at(trace[i].t, start.swing.height(trace[i].t, start.phase)));
+  }
+  if (ball.size() > 1) canvas.line(ball, palette::motion, 2);
+  if (racket.size() > 1) canvas.line(racket, palette::spring, 1.5f);
+  const bool slowing = run.settings().strike == Settings::slowing;
+  canvas.text({box.x + 8, box.y + 6},
+              slowing ? "struck while the racket slows down: it finds its height"
+                      : "struck while the racket speeds up: it wanders or dies",
+              palette::ink, Align::left, TextSize::tick);
+  canvas.text({box.x + 8, box.bottom() - 20}, "height of ball and racket, 15 s", palette::exact,
+              Align::left, TextSize::tick);
+}
+
+}  // namespace bounce

@@ -1,0 +1,236 @@
+#pragma once
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "08_racket_game/racket_game.hpp"
+#include "physics/closed_form.hpp"
+#include "physics/first_zero.hpp"
+#include "physics/reference.hpp"
+
+namespace bounce {
+
+/// The contacts of ball and racket in the form that `Reference` (reference.hpp) asks for, face and
+/// rim. Seen from a racket in uniform motion that does not turn: positions and velocities count
+/// from its centre, and the racket rests.
+class RacketContacts {
+ public:
+  using Ball = State<Eigen::Vector3d>;
+
+  /// What the ball touches: the disc, its rim, or - pressed through the disc and out over its rim -
+  /// what Racket::beyond_rim() makes of it.
+  enum class Place { face, rim, beyond };
+  enum class Watch { overlap, push, inside, height };
+
+  RacketContacts(const Racket& scene, const Ball& ball) : RacketContacts(scene) {
+    const Seen seen = see(ball);
+    if (seen.x < 0) {
+      place_ = Place::face;
+    } else {
+      place_ = scene.through && seen.y < 0 ? Place::beyond : Place::rim;
+    }
+    const auto [overlap, push] = overlap_and_push(seen);
+    if (overlap > 0) phase_ = only_pushes() && push <= 0 ? Phase::let_go : Phase::touch;
+  }
+  /// In the middle of a run that was saved.
+  RacketContacts(const Racket& scene, Phase phase, Place place) : RacketContacts(scene) {
+    phase_ = phase;
+    place_ = place;
+  }
+
+  Phase phase() const { return phase_; }
+  Place place() const { return place_; }
+  int side() const { return side_; }
+
+  // ---- Flight
+
+  bool in_flight() const { return phase_ == Phase::flight; }
+  Ball fly(const Ball& start, double t) const {
+    return {start.position + (start.velocity + gravity_ * (t / 2)) * t,
+            start.velocity + gravity_ * t};
+  }
+
+  /// The disc is convex, so that the distance to it is a convex function of where the ball is: in
+  /// flight its second derivative is never below -g. That is enough to miss no touch.
+  double flight_time(double /*t*/, const Ball& start) {
+    const double g = gravity_.norm();
+    // A ball that is below the whole racket and falls does not come back.
+    const double low = -start.position.dot(gravity_) / std::max(g, 1e-300);
+    const double away = disc_radius_ + radius_;
+    const double until =
+        g > 0 ? time_to_fall(std::max(0.0, low + away), -start.velocity.dot(gravity_) / g, g)
+              : never;
+    const auto glimpse = [&](double t) {
+      const Seen seen = see(fly(start, t));
+      const Gap gap =
+          seen.x < 0 ? Gap{std::abs(seen.y), 0, seen.y < 0 ? -1.0 : 1.0} : gap_of(Place::rim, seen);
+      return Glimpse{gap.d - radius_, gap.rate(seen), gap.bend(seen, gravity_), g, 0};
+    };
+    const Glimpse first = glimpse(0);
+    // From a touch without speed it can only be pulled off.
+    const bool hangs = first.value <= 0 && first.slope == 0 && first.bend > 0;
+    const double begin = hangs ? std::sqrt(1e-12 * radius_ / first.bend) : 0;
+    const FirstZero touch = first_zero(glimpse, begin, until, 1000);
+    lands_ = touch.found;
+    return touch.found || touch.t <= until ? touch.t : never;
+  }
+  void land(double /*t*/, Ball& ball) {
+    if (!lands_) return;  // the search goes on from here
+    side_ = normal_.dot(ball.position) < 0 ? -1 : 1;
+    place_ = see(ball).x < 0 ? Place::face : Place::rim;
+    phase_ = Phase::touch;
+  }
+
+  // ---- Contact
+
+  Eigen::Vector3d acceleration(double /*t*/, const Ball& ball) const {
+    if (phase_ != Phase::touch) return gravity_;
+    const Seen seen = see(ball);
+    const Gap gap = gap_of(place_, seen);
+    const double push = stiffness_ * (radius_ - gap.d) - damping_ * gap.rate(seen);
+    return gravity_ + push / mass_ * (gap.dx * seen.out + gap.dy * seen.up);
+  }
+  double time_scale() const { return 1 / (std::sqrt(stiffness_ / mass_) + damping_ / mass_); }
+
+  std::array<Watch, 4> watches(const Ball&, double) const {
+    return {Watch::overlap, Watch::push, Watch::inside, Watch::height};
+  }
+  /// Positive until it happens; the constant 1 for what cannot happen now.
+  Lasting lasts(Watch watch, double /*t*/, const Ball& ball, const Eigen::Vector3d& a) const {
+    const Seen seen = see(ball);
+    const Gap gap = gap_of(place_, seen);
+    const double rate = gap.rate(seen);
+    switch (watch) {
+      case Watch::overlap:  // a contact that only pushes has let go before
+        if (phase_ == Phase::touch && only_pushes()) break;
+        return {radius_ - gap.d, -rate};
+      case Watch::push: {
+        if (!only_pushes()) break;
+        const double sign = phase_ == Phase::touch ? 1 : -1;
+        return {sign * (stiffness_ * (radius_ - gap.d) - damping_ * rate),
+                sign * (-stiffness_ * rate - damping_ * gap.bend(seen, a))};
+      }
+      case Watch::inside: {  // by squares, which are smooth at the disc's centre as well
+        const double sign = place_ == Place::face ? -1 : 1;
+        return {sign * seen.x * (seen.lateral + disc_radius_), sign * 2 * seen.lateral * seen.vx};
+      }
+      case Watch::height:
+        if (place_ != Place::beyond) break;
+        return {-seen.y, -seen.vy};
+    }
+    return {1, 0};
+  }
+
+  double rounding(Watch, const Ball&) const { return 0; }
+  /// Without a force any step is accurate, and might jump over the rest of the overlap.
+  bool resolves(const Ball& before, const Ball& after, double) const {
+    return place_ == Place::face || phase_ == Phase::touch ||
+           (after.position - before.position).norm() <= radius_ / 2;
+  }
+
+  void pass(Watch watch, double /*t*/, Ball& ball) {
+    switch (watch) {
+      case Watch::overlap:
+        phase_ = Phase::flight;
+        return;
+      case Watch::push:
+        phase_ = phase_ == Phase::touch ? Phase::let_go : Phase::touch;
+        return;
+      case Watch::height:
+        place_ = Place::rim;
+        return;
+      case Watch::inside:
+        if (place_ == Place::face) {
+          place_ = see(ball).y < 0 ? Place::beyond : Place::rim;
+        } else {
+          // From the rim onto the disc, on the side on which it is.
+          if (place_ == Place::rim && see(ball).y < 0) side_ = -side_;
+          place_ = Place::face;
+        }
+        return;
+    }
+  }
+
+ private:
+  explicit RacketContacts(const Racket& scene)
+      : normal_(scene.disc.normal),
+        disc_radius_(scene.disc.radius),
+        gravity_(0, -scene.gravity, 0),
+        mass_(scene.mass),
+        radius_(scene.radius),
+        stiffness_(scene.stiffness),
+        damping_(scene.damping),
+        law_(scene.contact),
+        side_(scene.side) {}
+
+  bool only_pushes() const { return law_ == ContactLaw::push_only && damping_ > 0; }
+
+  /// The ball, seen in the plane through the disc's axis and the ball's centre: x outwards from the
+  /// rim, y up from the disc on the ball's side.
+  struct Seen {
+    Eigen::Vector3d out, up;  // unit vectors along x and y
+    double lateral;           // m, from the axis
+    double x, y;              // m
+    double vx, vy;            // m/s
+    double turn;  // m/s^2: x'' of a ball that is not accelerated but goes round the axis
+  };
+  Seen see(const Ball& ball) const {
+    Seen seen;
+    seen.up = side_ * normal_;
+    seen.y = seen.up.dot(ball.position);
+    const Eigen::Vector3d along = ball.position - seen.y * seen.up;
+    seen.lateral = along.norm();
+    seen.out = seen.lateral > 0 ? Eigen::Vector3d(along / seen.lateral) : Eigen::Vector3d::Zero();
+    seen.x = seen.lateral - disc_radius_;
+    seen.vy = seen.up.dot(ball.velocity);
+    seen.vx = seen.out.dot(ball.velocity);
+    const Eigen::Vector3d round = ball.velocity - seen.vy * seen.up - seen.vx * seen.out;
+    seen.turn = seen.lateral > 0 ? round.squaredNorm() / seen.lateral : 0;
+    return seen;
+  }
+
+  /// The distance d(x, y) with its derivatives. The force is the push times its gradient.
+  struct Gap {
+    double d, dx, dy;
+    double dxx = 0, dxy = 0, dyy = 0;
+
+    double rate(const Seen& s) const { return dx * s.vx + dy * s.vy; }
+    /// The second derivative by time, for a ball that is accelerated by `a`.
+    double bend(const Seen& s, const Eigen::Vector3d& a) const {
+      return dx * (s.out.dot(a) + s.turn) + dy * s.up.dot(a) + dxx * s.vx * s.vx +
+             2 * dxy * s.vx * s.vy + dyy * s.vy * s.vy;
+    }
+  };
+  static Gap gap_of(Place place, const Seen& seen) {
+    if (place == Place::face) return {seen.y, 0, 1};
+    const double length = std::hypot(seen.x, seen.y);
+    if (length == 0) return {0, 0, 1};
+    const double x = seen.x / length, y = seen.y / length, xx = x * x, yy = y * y;
+    if (place == Place::rim) return {length, x, y, yy / length, -x * y / length, xx / length};
+    return {length * (xx - yy),
+            x * (1 + 2 * yy),
+            -y * (1 + 2 * xx),
+            yy * (1 + 2 * yy - 4 * xx) / length,
+            x * y * (4 * xx - 2 * yy - 1) / length,
+            -xx * (1 + 2 * xx - 4 * yy) / length};
+  }
+  std::array<double, 2> overlap_and_push(const Seen& seen) const {
+    const Gap gap = gap_of(place_, seen);
+    return {radius_ - gap.d, stiffness_ * (radius_ - gap.d) - damping_ * gap.rate(seen)};
+  }
+
+  Eigen::Vector3d normal_;
+  double disc_radius_;
+  Eigen::Vector3d gravity_;
+  double mass_, radius_, stiffness_, damping_;
+  ContactLaw law_;
+  int side_;  // from which the ball touches, or touched last
+  Phase phase_ = Phase::flight;
+  Place place_ = Place::face;
+  bool lands_ = false;
+};
+
+using RacketReference = Reference<RacketContacts, Eigen::Vector3d>;
+
+}  // namespace bounce
