@@ -95,9 +95,9 @@ struct Project {
     return check_lesson(root, fs::path("docs") / name, text, [](const std::string& command) {
       if (command == "fall --list") {
         return Outcome{0,
-                       "fall: a ball\n\nparameter  unit   default  valid     meaning\n"
-                       "mass       kg     1        positive  how much\n"
-                       "contact           slides   a or b    may it pull?\n",
+                       "fall: a ball\n\nparameter  unit   default   valid     meaning\n"
+                       "mass       kg     1         positive  how much\n"
+                       "contact           may-pull  a or b    may it pull?\n",
                        ""};
       }
       if (command == "fall cases") return Outcome{0, "a stone | 5 m\na leaf | 0.1 m\n", ""};
