@@ -8,6 +8,10 @@ export BOUNCE_MINE
 trap 'rm -rf "$BOUNCE_MINE"' EXIT
 failures=0
 
+fails() { # fails WHY: about the last output
+  printf 'FAILED: %s:\n%s\n' "$1" "$out"
+  failures=$((failures + 1))
+}
 run() { # run CODE ARGS...: ./course ARGS must end with that code; its output is in $out
   local wanted=$1 code=0
   shift
@@ -18,8 +22,7 @@ run() { # run CODE ARGS...: ./course ARGS must end with that code; its output is
 }
 shows() { # shows TEXT: the last output has it
   grep -qF -- "$1" <<<"$out" && return
-  printf 'FAILED: the output lacks "%s":\n%s\n' "$1" "$out"
-  failures=$((failures + 1))
+  fails "the output lacks '$1'"
 }
 same() { # same FILE1 FILE2
   cmp -s "$1" "$2" && return
@@ -28,23 +31,32 @@ same() { # same FILE1 FILE2
 }
 
 mine="$BOUNCE_MINE/01_free_fall/mine.hpp"
+splice() { # splice PIECES OUT: the header of stage 1 with these parts in it
+  cmake -DBASE="$top/stages/01_free_fall/free_fall.hpp" -DPIECES="$1" -DOUT="$2" -P "$top/tests/checks/splice.cmake"
+}
+skeleton="$BOUNCE_MINE/skeleton.hpp"
+splice "$top/stages/01_free_fall/gaps.hpp" "$skeleton"
 run 1 check # a fresh copy: the first stage, its skeleton, and what to do next
 out=$(head -n 3 <<<"$out")
 shows "Edit this file:  $mine"
 shows "./course check"
 shows "docs/01_free_fall.md"
-same "$mine" "$top/stages/01_free_fall/exercise.hpp"
+same "$mine" "$skeleton"
+out=$(cat "$mine") # what the splicer makes: a head, the stage's file, its three gaps, and no answer
+[ "$(head -n 3 <<<"$out")" = "$(head -n 3 "$top/stages/01_free_fall/gaps.hpp")" ] || fails "the head is not on top"
+[ "$(grep -c 'YOUR TURN . of 3: ' <<<"$out")" = 3 ] || fails "there are not three gaps"
+shows "#pragma once"
+shows "State<double> start{5.0, 0.0}"
+! grep -qF -- '-mass * gravity;  // downwards' <<<"$out" || fails "the answer is in the skeleton"
 
 for n in 1 2 3 3; do run 0 check --hint; shows "hint $n of 3"; done
 
-cp "$top/tests/mistakes/01_free_fall/gravity_points_up.hpp" "$BOUNCE_MINE/pieces.hpp"
-cmake -DBASE="$top/stages/01_free_fall/free_fall.hpp" -DPIECES="$BOUNCE_MINE/pieces.hpp" -DOUT="$mine" \
-  -P "$top/tests/mistakes/splice.cmake"
+splice "$top/tests/mistakes/01_free_fall/gravity_points_up.hpp" "$mine"
 cp "$mine" "$BOUNCE_MINE/before"
 run 1 check 1
 shows "gravity points up"
 shows "not yet"
-[ "$(grep -c 'not yet' <<<"$out")" = 1 ] || { echo "FAILED: noise after the first failure"; failures=$((failures + 1)); }
+[ "$(grep -c 'not yet' <<<"$out")" = 1 ] || fails "noise after the first failure"
 same "$mine" "$BOUNCE_MINE/before" # nobody touched it
 
 echo 'int x = "";' >>"$mine"
@@ -72,9 +84,9 @@ run 0 check 1 --report "$BOUNCE_MINE/report.json"
 
 run 0 reset 1
 same "$mine.1" "$top/stages/01_free_fall/free_fall.hpp"
-same "$mine" "$top/stages/01_free_fall/exercise.hpp"
+same "$mine" "$skeleton"
 run 0 reset 1
-same "$mine.2" "$top/stages/01_free_fall/exercise.hpp"
+same "$mine.2" "$skeleton"
 
 run 2 check 99
 run 2 check 1 2

@@ -1,7 +1,8 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -15,10 +16,11 @@ namespace {
 
 const fs::path root = BOUNCE_SOURCE_DIR;
 
+/// The stages that have an exercise.
 std::vector<fs::path> exercises() {
   std::vector<fs::path> all;
   for (const auto& stage : fs::directory_iterator(root / "stages")) {
-    if (fs::exists(stage.path() / "exercise.hpp")) all.push_back(stage.path() / "exercise.hpp");
+    if (fs::exists(stage.path() / "gaps.hpp")) all.push_back(stage.path());
   }
   return all;
 }
@@ -31,46 +33,83 @@ std::string course_header(const std::string& stage) {
   return read_file((root / "stages" / text.substr(at, text.find('"', at) - at)).string());
 }
 
-/// The text without what stands between two `// [name]` lines of the exercise.
-std::string without_gaps(const std::string& text, const std::string& exercise) {
+using Lines = std::vector<std::string>;
+
+/// The lines between each two `// [name]` lines.
+std::map<std::string, Lines> parts_of(const std::string& text) {
+  std::map<std::string, Lines> parts;
+  std::string inside;
   std::istringstream lines(text);
-  std::string kept;
-  bool inside = false;
   for (std::string line; std::getline(lines, line);) {
-    const std::size_t at = line.find("// [");
-    const bool is_mark = at != std::string::npos && line.back() == ']' &&
-                         line.find_first_not_of(' ') == at &&
-                         exercise.find(line + "\n") != std::string::npos &&
-                         exercise.find("YOUR TURN") != std::string::npos;
-    if (is_mark) inside = !inside;
-    if (!inside && !is_mark) kept += line + "\n";
+    const std::size_t at = std::min(line.find_first_not_of(' '), line.size());
+    const bool is_mark = line.compare(at, 4, "// [") == 0 && line.back() == ']';
+    const std::string name = is_mark ? line.substr(at + 4, line.size() - at - 5) : "";
+    if (is_mark && inside.empty()) {
+      REQUIRE_MESSAGE(parts.count(name) == 0, "two parts are called ", name);
+      parts[inside = name] = {};
+    } else if (is_mark) {
+      REQUIRE_MESSAGE(inside == name, "the part ", inside, " ends with the mark ", name);
+      inside.clear();
+    } else if (!inside.empty()) {
+      parts[inside].push_back(line);
+    }
   }
-  return kept;
+  REQUIRE_MESSAGE(inside.empty(), "the part ", inside, " has no end");
+  return parts;
+}
+
+bool has(const Lines& lines, const std::string& text) {
+  return std::any_of(lines.begin(), lines.end(),
+                     [&](const std::string& line) { return line.find(text) != line.npos; });
 }
 
 }  // namespace
 
-TEST_CASE("an exercise is its stage's file with the taught lines left out, and nothing else") {
-  REQUIRE(exercises().size() >= 3);
-  for (const fs::path& path : exercises()) {
-    const std::string stage = path.parent_path().filename().string();
-    INFO(path.string(), " and the stage's own header differ outside the gaps");
-    std::string exercise = read_file(path.string());
-    exercise.erase(0, exercise.find("#pragma once"));
-    CHECK(without_gaps(exercise, exercise) == without_gaps(course_header(stage), exercise));
+TEST_CASE("a gap takes the place of a part of its stage's file, asks for it, and is no answer") {
+  REQUIRE(exercises().size() >= 8);
+  for (const fs::path& stage : exercises()) {
+    CAPTURE(stage.string());
+    const auto taught = parts_of(course_header(stage.filename().string()));
+    const auto gaps = parts_of(read_file((stage / "gaps.hpp").string()));
+    CHECK(!gaps.empty());
+    for (const auto& [name, gap] : gaps) {
+      CAPTURE(name);
+      REQUIRE(taught.count(name) == 1);
+      CHECK(has(gap, "YOUR TURN"));
+      CHECK(has(gap, "Must hold: "));
+      CHECK(has(gap, "// <- here"));
+      const Lines& answer = taught.at(name);
+      CHECK_FALSE(has(answer, "YOUR TURN"));
+      CHECK(std::any_of(answer.begin(), answer.end(),
+                        [&gap = gap](const std::string& line) { return !has(gap, line); }));
+    }
+  }
+}
+
+TEST_CASE("the gaps of a stage are counted: YOUR TURN 2 of 3") {
+  for (const fs::path& stage : exercises()) {
+    CAPTURE(stage.string());
+    const std::string text = read_file((stage / "gaps.hpp").string());
+    const std::size_t count = parts_of(text).size();
+    std::size_t at = 0;
+    for (std::size_t i = 1; i <= count; ++i) {
+      const std::string which = std::to_string(i) + " of " + std::to_string(count);
+      at = text.find("YOUR TURN" + (count == 1 ? "" : " " + which) + ": ", at);
+      REQUIRE_MESSAGE(at != std::string::npos, "not there, or not in this order: ", which);
+    }
   }
 }
 
 TEST_CASE("an exercise says in its first three lines what to do, and has three hints") {
-  for (const fs::path& path : exercises()) {
-    CAPTURE(path.string());
-    std::ifstream file(path);
-    std::string head, line;
-    for (int i = 0; i < 3 && std::getline(file, line); ++i) head += line + "\n";
+  for (const fs::path& stage : exercises()) {
+    CAPTURE(stage.string());
+    const std::string gaps = read_file((stage / "gaps.hpp").string());
+    const std::string head = gaps.substr(0, gaps.find("\n\n"));
+    CHECK(std::count(head.begin(), head.end(), '\n') == 2);
     CHECK(head.find("mine.hpp") != std::string::npos);
     CHECK(head.find("./course check") != std::string::npos);
-    CHECK(head.find("docs/" + path.parent_path().filename().string() + ".md") != std::string::npos);
-    const std::string hints = read_file((path.parent_path() / "hints.txt").string());
+    CHECK(head.find("docs/" + stage.filename().string() + ".md") != std::string::npos);
+    const std::string hints = read_file((stage / "hints.txt").string());
     int hints_found = 1;
     for (std::size_t at = hints.find("\n---\n"); at != std::string::npos;
          at = hints.find("\n---\n", at + 1)) {

@@ -1,12 +1,14 @@
-# cmake -DBASE=stage.hpp -DPIECES=mistake.hpp -DOUT=whole.hpp -P splice.cmake
-# BASE, with each part that PIECES has between two `// [name]` lines in the place of the same part.
-function(find_part text name)
+# cmake -DBASE=stage.hpp -DPIECES=pieces.hpp -DOUT=whole.hpp -P splice.cmake
+# BASE, with each part that PIECES has between two `// [name]` lines in the place of the same part, and
+# with the first lines of PIECES on top, up to the first empty one. PIECES are the gaps of a stage, which
+# make a learner's mine.hpp, or a named mistake (tests/mistakes).
+function(find_part file text name)
   set(mark "// [${name}]\n")
   string(LENGTH "${mark}" length)
   string(FIND "${text}" "${mark}" first)
   string(FIND "${text}" "${mark}" last REVERSE)
   if(first EQUAL last)
-    message(FATAL_ERROR "${PIECES}: no part '${name}' between two marks")
+    message(FATAL_ERROR "${file}: no part '${name}' between two marks")
   endif()
   math(EXPR end "${last} + ${length}")
   set(from ${first} PARENT_SCOPE)
@@ -25,11 +27,14 @@ if(NOT names)
   message(FATAL_ERROR "${PIECES}: no part between two `// [name]` lines")
 endif()
 foreach(name ${names})
-  find_part("${pieces}" ${name})
+  find_part("${PIECES}" "${pieces}" ${name})
   set(new "${part}")
-  find_part("${whole}" ${name})
+  find_part("${BASE}" "${whole}" ${name})
   string(SUBSTRING "${whole}" 0 ${from} before)
   string(SUBSTRING "${whole}" ${to} -1 after)
   set(whole "${before}${new}${after}")
 endforeach()
-file(WRITE "${OUT}" "${whole}")
+string(FIND "${pieces}" "\n\n" head_end)
+math(EXPR head_end "${head_end} + 1")
+string(SUBSTRING "${pieces}" 0 ${head_end} head)
+file(WRITE "${OUT}" "${head}${whole}")

@@ -1,20 +1,10 @@
 // Your turn, stage 1: a ball falls. Edit mine.hpp (./course check 1 makes it):
 // fill the gaps marked YOUR TURN. Then run ./course check 1, or once ./course check 1 --watch.
 // The lesson: docs/01_free_fall.md. Stuck? ./course check 1 --hint
-#pragma once
-#include <vector>
 
-#include "physics/energy.hpp"
-#include "physics/parameters.hpp"
-#include "physics/state.hpp"
-
-namespace bounce {
-
-/// Stage 1. A ball in free fall: the only force is gravity. One dimension, y is up.
-struct FreeFall {
-  double mass = 1.0;              // kg
-  double gravity = 9.81;          // m/s^2
-  State<double> start{5.0, 0.0};  // m, m/s
+// The gaps of free_fall.hpp. ./course check makes mine.hpp: each part below takes the
+// place of the part of its name there, so it is indented as it is there.
+// clang-format off
 
   // [force]
   // YOUR TURN 1 of 3: the force on the ball [N]. (Lesson: "The idea")
@@ -35,20 +25,6 @@ struct FreeFall {
   }
   // [acceleration]
 
-  Energy energy(const State<double>& state) const {
-    return {kinetic_energy(mass, state.velocity),
-            gravitational_energy(mass, gravity, state.position), 0};
-  }
-
-  std::vector<Parameter> parameters() {
-    return {describe::mass(mass), describe::gravity(gravity), describe::position(start.position, 5),
-            describe::velocity(start.velocity)};
-  }
-};
-
-/// The loop of the slides, once around: force -> acceleration -> velocity -> position. It will
-/// never change again, and so it lives in common/physics/integrators.hpp, under its name in the
-/// field: semi_implicit_euler. A test shows that the two are equal to the bit.
 // [loop]
 // YOUR TURN 3 of 3: the loop, once around. (Lesson: "The program")
 // You have: scene.acceleration(t, state) [m/s^2], state.position [m], state.velocity [m/s], dt [s].
@@ -60,5 +36,3 @@ void fall_one_step([[maybe_unused]] const Scene& scene, [[maybe_unused]] double 
   // <- here
 }
 // [loop]
-
-}  // namespace bounce
