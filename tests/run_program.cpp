@@ -32,6 +32,12 @@ const fs::path& folder() {
 
 std::string work_folder() { return (folder() / "work").string(); }
 
+std::string quoted(const std::string& word) {
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
 std::string read_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
@@ -45,8 +51,9 @@ Outcome run_program_with(const std::string& environment, const std::string& comm
   const fs::path& here = folder();
   fs::remove_all(here);
   fs::create_directories(here / "work");
-  const std::string shell = "cd '" + (here / "work").string() + "' && " + environment +
-                            " '" BOUNCE_BIN_DIR "'/" + command + " > ../out 2> ../err < /dev/null";
+  const std::string shell = "cd " + quoted((here / "work").string()) + " && " + environment + " " +
+                            quoted(BOUNCE_BIN_DIR) + "/" + command +
+                            " > ../out 2> ../err < /dev/null";
   const int status = std::system(shell.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
           read_file((here / "out").string()), read_file((here / "err").string())};

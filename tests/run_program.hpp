@@ -18,6 +18,9 @@ Outcome run_program_with(const std::string& environment, const std::string& comm
 /// The folder in which the last program ran; the next one empties it.
 std::string work_folder();
 
+/// One word of a shell's command line, whatever is in it: "'Anna'\\''s work'".
+std::string quoted(const std::string& word);
+
 /// A whole file; empty when it is not there.
 std::string read_file(const std::string& path);
 

@@ -20,7 +20,7 @@ TEST_CASE("the racket game draws itself, whoever plays") {
     fs::remove(picture);
     const test::Outcome outcome =
         test::run_program(std::string("08_racket_game --player ") + player +
-                          " --duration 3 --screenshot '" + picture.string() + "'");
+                          " --duration 3 --screenshot " + test::quoted(picture.string()));
     CAPTURE(player);
     CAPTURE(outcome.err);
     CHECK(outcome.code == 0);

@@ -3,9 +3,11 @@
 # usage: course_check_test.sh TOP
 set -uo pipefail
 top=$1
-BOUNCE_MINE=$(mktemp -d)
-export BOUNCE_MINE
-trap 'rm -rf "$BOUNCE_MINE"' EXIT
+own=$(mktemp -d)
+trap 'rm -rf "$own"' EXIT
+export BOUNCE_MINE="$own/Anna [x] Müller" # no ': with it, Ninja before 1.13 builds all anew each time
+mkdir "$BOUNCE_MINE"
+export LANG=de_DE.UTF-8 LANGUAGE=de # where the compiler speaks it
 failures=0
 
 fails() { # fails WHY: about the last output
@@ -93,6 +95,47 @@ run 2 check 1 2
 run 2 check --hunt
 shows "--hint"
 run 2 reset
+
+# A learner's file that passes can be played, whatever its style: no `inline`, no `#pragma once`, a header of
+# its own beside it.
+five="$BOUNCE_MINE/05_ball_collision/mine.hpp"
+mkdir "$BOUNCE_MINE/05_ball_collision"
+{
+  echo '#include "my_helpers.h"'
+  sed -e 's/^inline //' -e '/^#pragma once/d' "$top/stages/05_ball_collision/ball_collision.hpp"
+} >"$five"
+echo 'double twice(double x) { return x + x; }' >"$BOUNCE_MINE/05_ball_collision/my_helpers.h"
+run 0 check 5
+run 0 play 5 --mine --headless --duration 0.01
+shows "05_ball_collision: method=semi-implicit-euler"
+
+play1() { # play1 TEXT: stage 1 on its own solution with this line at the end must not be played
+  cp "$top/stages/01_free_fall/free_fall.hpp" "$mine"
+  printf '%s\n' "$1" >>"$mine"
+  touch -r "$top/LICENSE" "$mine" # older than the program, and yet not what that was built from
+  run 1 play 1 --mine --headless --duration 1
+  lines=$(wc -l <"$mine")
+  shows "$mine:$lines:"
+  ! grep -qE 'ninja|collect2|FAILED|method=' <<<"$out" || fails "that is not for a learner"
+}
+cp "$top/stages/01_free_fall/free_fall.hpp" "$mine"
+run 0 play 1 --mine --headless --duration 1
+shows "01_free_fall: method=semi-implicit-euler"
+play1 'int x = "";'
+shows "error: "
+play1 'double nowhere(double x); static const double at_start = nowhere(2);'
+shows "'nowhere(double)' is called, but it has no body"
+play1 'int main() { return 0; }'
+shows "a main() of your own"
+run 1 check 1
+shows "$mine:$lines: a main() of your own"
+
+# However the command is called.
+ln -s "$top/course" "$own/my course"
+out=$(cd "$own" && TERM='' "./my course" list) || fails "by a link: ended with $?"
+shows "free_fall"
+out=$(cd "$top/.." && CDPATH=.:/ bash "$(basename "$top")/course" list) || fails "with CDPATH: ended with $?"
+shows "free_fall"
 
 [ "$failures" -eq 0 ] && echo "all as a learner would expect"
 exit "$((failures > 0))"

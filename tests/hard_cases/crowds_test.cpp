@@ -164,7 +164,8 @@ test::Outcome run_row(double spacing, bool moves, double& seconds) {
   }
   const auto start = std::chrono::steady_clock::now();
   const test::Outcome run = test::run_program(
-      "05_ball_collision --headless --duration 0.02 --sample 0.02 --csv out.csv --balls " + file);
+      "05_ball_collision --headless --duration 0.02 --sample 0.02 --csv out.csv --balls " +
+      test::quoted(file));
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::remove(file.c_str());
   return run;

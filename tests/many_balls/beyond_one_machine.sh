@@ -19,11 +19,11 @@ seconds() { # seconds COMMAND...: on the clock
 size() { awk -v bytes="$(stat -c %s "$1")" 'BEGIN { printf "%.1f MB", bytes / 1e6 }'; }
 
 compare() { # compare COUNT DROPPED_S STEPS REPEATS
-  local count=$1 end repeat n ns
+  local count=$1 end n ns
   "$program" "${law[@]}" --threads 2 --set count="$count" --headless --duration "$2" --save state 2>log
   end=$(awk -v t="$2" -v n="$3" 'BEGIN { print t + n * 1e-4 }')
   "$program" --load state --duration "$end" --export-lammps "lammps_$count" 2>log
-  for repeat in $(seq "$4"); do
+  for _ in $(seq "$4"); do
     for n in 1 2; do
       "$program" --load state --threads "$n" --headless --duration "$end" 2>log
       ns=$(sed -n 's/.*ns_per_step_and_ball=\([^ ]*\).*/\1/p' log)

@@ -274,7 +274,7 @@ TEST_CASE(
 TEST_CASE("bad input leaves a file that was there before as it was") {
   const std::string path = std::filesystem::temp_directory_path() / "bounce_old_trace.csv";
   std::ofstream(path) << "precious";
-  CHECK(run_program("03_damping --headless --dt -1 --csv " + path).code == 2);
+  CHECK(run_program("03_damping --headless --dt -1 --csv " + test::quoted(path)).code == 2);
   CHECK(test::read_file(path) == "precious");
   std::filesystem::remove(path);
 }

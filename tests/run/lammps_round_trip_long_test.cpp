@@ -52,10 +52,12 @@ TEST_CASE("1000 balls through LAMMPS on two processes are where they are without
       "05_ball_collision --method velocity-verlet --dt 1e-4 --set scene=drop --set count=1000 "
       "--set stiffness=1e5 --set floor_stiffness=1e5 --set damping=100 --set floor_damping=100 ";
   // The heap collapses on the floor from 0.2 s on.
-  REQUIRE(run_program(run + "--duration 0.3 --export-lammps " + folder.string()).code == 0);
+  REQUIRE(
+      run_program(run + "--duration 0.3 --export-lammps " + test::quoted(folder.string())).code ==
+      0);
   const std::string mpi =
-      "cd '" + folder.string() +
-      "' && OMP_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+      "cd " + test::quoted(folder.string()) +
+      " && OMP_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
       "timeout 300 mpirun --oversubscribe -np 2 lmp -in in.bounce > out 2>&1 < /dev/null";
   const int status = std::system(mpi.c_str());
   INFO(test::read_file((folder / "out").string()));
@@ -67,8 +69,8 @@ TEST_CASE("1000 balls through LAMMPS on two processes are where they are without
   const auto check = [&](const std::string& time, double tolerance) {
     const std::string at = "--csv - --at " + time + " --duration 0.32";
     const Outcome through = run_program(run + at);
-    const Outcome back =
-        run_program(run + at + " --import-lammps " + (folder / "balls.dump").string());
+    const Outcome back = run_program(run + at + " --import-lammps " +
+                                     test::quoted((folder / "balls.dump").string()));
     INFO(back.err);
     REQUIRE(back.code == 0);
     CHECK(difference(through.out, back.out) < tolerance);

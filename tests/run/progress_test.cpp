@@ -47,8 +47,8 @@ class OnTerminal {
     const char* there = ptsname(terminal_);
     // Kept open here as well: a terminal without anybody on it drops what was written.
     held_ = open(there, O_RDWR | O_NOCTTY);
-    const std::string line =
-        "exec '" BOUNCE_BIN_DIR "'/" + command + " 2> '" + there + "' > /dev/null < /dev/null";
+    const std::string line = "exec " + test::quoted(BOUNCE_BIN_DIR) + "/" + command + " 2> '" +
+                             there + "' > /dev/null < /dev/null";
     std::vector<std::string> words{"/bin/sh", "-c", line};
     std::vector<char*> arguments{words[0].data(), words[1].data(), words[2].data(), nullptr};
     if (posix_spawn(&child_, "/bin/sh", nullptr, nullptr, arguments.data(), environ) != 0) {
