@@ -11,7 +11,7 @@ const double dt = 1e-3;   // time step [s]
 const int steps = 10000;  // 10 s of them
 
 const int balls = 2;                                      // the stage program's scene=tower
-const double m[balls] = {10.0, 1.0};                      // masses [kg]
+const double m[balls] = {10.0, 1.0};                      // masses [kg]: of one material
 const double r[balls] = {0.2, 0.2 / 2.1544346900318838};  // radii [m]; it is the cube root of 10
 
 int main() {

@@ -37,7 +37,7 @@ int main() {
     if (along.norm() > R) {
       along *= R / along.norm();  // the ball is beside the disc: the rim is nearest
     }
-    Vector3d between = p - (centre + along);  // from the nearest point to the ball's centre
+    Vector3d between = p - (centre + along);  // from the nearest point to the ball
     double distance = between.norm();
     Vector3d e = between / distance;
     double speed = e.dot(v - u);  // at which the distance grows [m/s]

@@ -46,7 +46,7 @@ double last_bounce() {
   return first_touch + hops + bounces * (std::acos(-1.0) / omega + 2 * dt);
 }
 
-/// The rim passes under the ball, which slips off: a pendulum on its head, of length r, that starts
+/// The rim passes under the ball, which slips off: an inverted pendulum of length r that starts
 /// with the rim's speed. It leaves the rim before its angle a has cos a = 2/3, and until then sin a
 /// is more than 0.88 a, so that the angle grows at least like sinh(rate t).
 const double rim_comes = from_rim / slides;
