@@ -54,7 +54,7 @@ function curve(line, colour,   i, x, y, x_drawn, y_drawn) {
     y = y_of(height[line, i])
     # Closer than half a pixel to the last point nobody sees a point.
     if (i > 1 && i < count[line] && (x - x_drawn) ^ 2 + (y - y_drawn) ^ 2 < 0.25) continue
-    printf "%s%.1f %.1f", i == 1 ? "M" : "L", x, y
+    printf "%s%.1f %.1f", (i == 1 ? "M" : "L"), x, y
     x_drawn = x
     y_drawn = y
   }
