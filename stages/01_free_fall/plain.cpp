@@ -1,0 +1,26 @@
+// Stage 1, the whole program: a ball in free fall. The only force is gravity.
+//   g++ plain.cpp && ./a.out
+#include <iostream>
+
+const double m = 1.0;     // mass [kg]
+const double g = 9.81;    // gravity [m/s^2]
+const double dt = 1e-3;   // time step [s]
+const int steps = 10000;  // 10 s of them
+
+int main() {
+  std::cout.precision(17);  // so many digits that each number can be read back as it was
+  std::cout << "t,y,v\n";
+
+  double v = 0.0;  // velocity at the start [m/s]; up is positive
+  double y = 5.0;  // height of the ball's centre at the start [m]
+  for (int n = 0; n <= steps; n++) {
+    double t = n * dt;  // not t += dt: that would collect the rounding of every step
+    std::cout << t << "," << y << "," << v << "\n";
+
+    double F = -m * g;  // gravity, downwards
+
+    double a = F / m;  // force gives acceleration
+    v += a * dt;       // acceleration changes velocity
+    y += v * dt;       // velocity changes position
+  }
+}
