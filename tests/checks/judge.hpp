@@ -56,7 +56,9 @@ struct Question {
 
 /// What the learner reads after the first failure.
 struct Finding {
-  std::string tested, where, when, got, expected, mistake, advice, lesson;
+  std::string tested, where, when, got, expected;
+  std::string seen;  // where the answers are right, and what the error goes with (diagnosis.hpp)
+  std::string mistake, advice, lesson;
 };
 
 bool near(const Triple& a, const Triple& b, double tolerance);
@@ -96,6 +98,7 @@ void judge(const Question<Probe>& question, const std::vector<Probe>& probes) {
                   question.when(probes[wrong]),
                   answer_text(got[wrong], question.names, question.unit),
                   answer_text(expected[wrong], question.names, question.unit),
+                  "",
                   not_among_them,
                   question.look_at,
                   question.lesson};
