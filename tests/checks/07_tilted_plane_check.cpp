@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "checks/force_parts.hpp"
 #include "checks/run_check.hpp"
 
 using namespace bounce::check;
@@ -51,6 +52,13 @@ Question<Moment> force_question(const std::string& tested) {
   q.rounding = [](const Moment& m) { return 4 * force_rounding(m); };
   q.where = [](const Moment& m) { return in_space(m) + "; " + plane_text(m); };
   q.look_at = "distance n . p + d, velocity away n . v, and a push along n.";
+  const auto contact = [](const Moment& m) {
+    const Equation plane = unit(m);
+    const double overlap = m.setting.radius - plane.distance(m.motion.position);
+    return Contact{plane.n, overlap, dot(plane.n, m.motion.velocity), overlap > 0};
+  };
+  q.place = [=](const Moment& m) { return contact_place(contact(m), m.setting.radius); };
+  q.parts = force_parts<Moment>(contact, [](const Moment& m) { return m; });
   q.suspects = {
       {"gravity points up", "y is up and gravity pulls downwards.",
        [](const Moment& m) { return plus(right(m), up(2 * m.weight())); }},
@@ -137,7 +145,8 @@ std::vector<Moment> moments(unsigned seed, double least, double most, bool push_
     s.offset = dice.sign() * dice.between(0.2, 3);
     Moment m{s, dice.between(0, 3), {dice.triple(2), dice.triple(9)}};
     const Equation plane = unit(m);
-    const double wanted = s.radius * dice.between(least, most);
+    const bool deep = i % 4 == 3 && least < 0;  // the whole ball is behind the plane
+    const double wanted = s.radius * dice.between(deep ? -40 : least, most);
     m.motion.position =
         plus(m.motion.position, plane.n, wanted - plane.distance(m.motion.position));
     all.push_back(m);
@@ -158,6 +167,12 @@ TEST_SUITE("07_tilted_plane") {
     };
     q.truth = [](const Moment& m) { return unit(m).n; };
     q.look_at = "divide the normal by its length.";
+    q.parts = {{"the normal divided by its length", 1, [](const Moment& m) { return unit(m).n; }},
+               {"the normal as it is given", 0, [](const Moment& m) { return m.setting.normal; }},
+               {"the normal divided by a + b + c", 0, [](const Moment& m) {
+                  const Triple& n = m.setting.normal;
+                  return times(1 / (n[0] + n[1] + n[2]), n);
+                }}};
     q.suspects = {{"normal not normalised", "its length is not 1. Divide it by normal.norm().",
                    [](const Moment& m) { return m.setting.normal; }},
                   {"divided by the length twice", "divide by the length, not by its square.",
@@ -175,6 +190,13 @@ TEST_SUITE("07_tilted_plane") {
     q.answer = [](const Moment& m) { return up(subject().plane(m.setting)[3]); };
     q.truth = [](const Moment& m) { return up(unit(m).d); };
     q.look_at = "both sides of the equation are divided by the length of the normal.";
+    q.parts = {
+        {"the offset divided by the length", 1, [](const Moment& m) { return up(unit(m).d); }},
+        {"the offset as it is given", 0, [](const Moment& m) { return up(m.setting.offset); }},
+        {"the offset times the length", 0,
+         [](const Moment& m) { return up(m.setting.offset * length(m.setting.normal)); }},
+        {"the offset divided by the length twice", 0,
+         [](const Moment& m) { return up(unit(m).d / length(m.setting.normal)); }}};
     q.suspects = {
         {"offset not normalised",
          "the normal is divided by its length and the offset is not, so it is another plane.",

@@ -18,8 +18,8 @@ void explain(const Finding& found) {
   line("got", found.got);
   line("expected", found.expected);
   line("seen", found.seen);
-  line("likely",
-       found.mistake == not_among_them ? found.advice : found.mistake + ": " + found.advice);
+  const bool known = found.mistake != not_among_them;
+  line(known ? "likely" : "look at", (known ? found.mistake + ": " : "") + found.advice);
   line("lesson", found.lesson);
   std::printf("\n");
 }
@@ -130,7 +130,7 @@ int Verdict::compare_with(const std::string& file) const {
     return 0;
   }
   // A skeleton names neither: it must fail because nothing is written.
-  if (failed() && check.empty() && told.empty() && as == nothing_written) return 0;
+  if (failed() && check.empty() && told.empty() && as == all_zero) return 0;
   std::printf("should fail in  %s\n  as            %s\nbut failed in   %s\n  as            %s\n",
               check.c_str(), told.c_str(), in.c_str(), as.c_str());
   if (failed()) explain(finding_);

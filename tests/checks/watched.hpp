@@ -60,6 +60,12 @@ class Watched final : public Subject {
   double floor_speed(const Setting& s, double t) const override {
     return call("floor_speed", [&] { return subject_.floor_speed(s, t); });
   }
+  bool touches(const Setting& s, double y, double floor) const override {
+    return call("touches", [&] { return subject_.touches(s, y, floor); });
+  }
+  double damped_velocity(const Setting& s, double t, double v) const override {
+    return call("damped_velocity", [&] { return subject_.damped_velocity(s, t, v); });
+  }
   std::array<double, 4> plane(const Setting& s) const override {
     return call("plane", [&] { return subject_.plane(s); });
   }
