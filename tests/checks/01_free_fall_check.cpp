@@ -135,10 +135,15 @@ TEST_SUITE("01_free_fall") {
                {"g, without the mass", 0, [](const Moment& m) { return up(-m.setting.gravity); }},
                {"the number 9.81, times the mass", 0,
                 [](const Moment& m) { return up(-9.81 * m.setting.mass); }},
-               {"m m g", 0, [](const Moment& m) { return up(-m.weight() * m.setting.mass); }},
-               {"the mass", 0, [](const Moment& m) { return up(m.setting.mass); }},
+               {"a constant of 1 N", 0, [](const Moment&) { return up(1); }},
                {"m y (gravity does not depend on the place)", 0,
                 [](const Moment& m) { return up(m.setting.mass * m.y()); }}};
+    q.factors = {
+        {"the mass", [](const Moment& m) { return m.setting.mass; }},
+        {"the mass squared", [](const Moment& m) { return m.setting.mass * m.setting.mass; }},
+        {"gravity", [](const Moment& m) { return m.setting.gravity; }},
+        {"y", [](const Moment& m) { return m.y(); }},
+        {"t", [](const Moment& m) { return m.t; }}};
     judge(q, moments());
   }
 

@@ -26,7 +26,9 @@ Question<Moment> force_question(const std::string& tested) {
     return Contact{up(1), m.setting.radius - m.y(), m.v(), m.overlaps()};
   };
   q.place = [=](const Moment& m) { return contact_place(contact(m), m.setting.radius); };
-  q.parts = force_parts<Moment>(contact, [](const Moment& m) { return m; });
+  const auto itself = [](const Moment& m) { return m; };
+  q.parts = force_parts<Moment>(contact, itself);
+  q.factors = force_factors<Moment>(contact, itself);
   q.suspects = {
       {"gravity points up", "y counts upwards, gravity pulls downwards: -mass * gravity.",
        [](const Moment& m) { return up(right(m) + 2 * m.weight()); }},

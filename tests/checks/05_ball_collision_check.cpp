@@ -1,4 +1,4 @@
-#include "checks/05_ball_collision_questions.hpp"
+#include "checks/05_ball_collision_crowds.hpp"
 
 #include <doctest/doctest.h>
 

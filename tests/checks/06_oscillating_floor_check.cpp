@@ -11,6 +11,9 @@ TEST_SUITE("06_oscillating_floor") {
     q.answer = [](const Moment& m) { return up(subject().floor_height(m.setting, m.t)); };
     q.truth = [](const Moment& m) { return up(height(m)); };
     q.look_at = "h(t) = floor_velocity t + A sin(w t + phase)";
+    q.factors = {{"t", [](const Moment& m) { return m.t; }},
+                 {"w", [](const Moment& m) { return m.setting.angular_frequency; }},
+                 {"A", [](const Moment& m) { return m.setting.amplitude; }}};
     using M = const Moment&;
     const auto part = [&](const char* name, double wanted, auto value) {
       q.parts.push_back({name, wanted, [=](M m) { return up(value(m)); }});
@@ -52,6 +55,9 @@ TEST_SUITE("06_oscillating_floor") {
     q.answer = [](const Moment& m) { return up(subject().floor_speed(m.setting, m.t)); };
     q.truth = [](const Moment& m) { return up(speed(m)); };
     q.look_at = "differentiate floor_velocity t + A sin(w t + phase).";
+    q.factors = {{"t", [](const Moment& m) { return m.t; }},
+                 {"w", [](const Moment& m) { return m.setting.angular_frequency; }},
+                 {"A", [](const Moment& m) { return m.setting.amplitude; }}};
     using M = const Moment&;
     const auto part = [&](const char* name, double wanted, auto value) {
       q.parts.push_back({name, wanted, [=](M m) { return up(value(m)); }});

@@ -90,7 +90,9 @@ inline Question<Moment> force_question(const std::string& tested) {
     if (m.setting.floor_law == fixed_switch) c.overlap = m.setting.radius - m.y();
     return contact_place(c, m.setting.radius) + laws[m.setting.floor_law];
   };
-  q.parts = force_parts<Moment>(contact, [](const Moment& m) { return m; });
+  const auto itself = [](const Moment& m) { return m; };
+  q.parts = force_parts<Moment>(contact, itself);
+  q.factors = force_factors<Moment>(contact, itself);
   const auto in_contact = [&](const char* name, auto size) {
     q.parts.push_back(
         {name, 0, [=](const Moment& m) { return up(contact(m).touches ? size(m) : 0); }});

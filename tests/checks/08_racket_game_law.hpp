@@ -24,7 +24,7 @@ inline Now racket_at(const Moment& m) {
   return now;
 }
 
-enum class Shape { disc, larger, infinite, square, no_rim, flat_rim, one_sided };
+enum class Shape { disc, rim_included, larger, infinite, square, no_rim, flat_rim, one_sided };
 
 inline NearestFound nearest_of(const Setting& s, const Now& now, const Triple& ball, Shape shape) {
   const Triple way = plus(ball, now.centre, -1);
@@ -33,6 +33,7 @@ inline NearestFound nearest_of(const Setting& s, const Now& now, const Triple& b
   const double lateral = length(outwards);
   const double side = shape == Shape::one_sided ? 1 : s.side;
   bool over = lateral < s.disc_radius;
+  if (shape == Shape::rim_included) over = lateral <= s.disc_radius;
   if (shape == Shape::larger) over = lateral < s.disc_radius + s.radius;
   if (shape == Shape::infinite) over = true;
   if (shape == Shape::square) {

@@ -46,6 +46,9 @@ inline Question<Moment> nearest_question(const std::string& tested, const std::s
   };
   q.truth = as(Shape::disc);
   q.suspects = {
+      {"<= instead of <",
+       "exactly on the rim is beside the disc: *shorter* out than its radius is over it.",
+       as(Shape::rim_included)},
       {"rim ignored",
        "beside the disc the push goes from the rim to the ball: that is the direction, and its "
        "length is the distance.",
@@ -96,10 +99,10 @@ inline Question<Moment> nearest_question(const std::string& tested, const std::s
     return q;
   }
   q.parts.push_back({"the centre", 1, [](M m) { return m.setting.centre; }});
-  other("`outwards`, not farther than the rim,",
+  other("`outwards` cut at the rim",
         [](M m, const Now&, double, T, R r) { return plus(r.point, m.setting.centre, -1); });
   q.parts.back().wanted = 1;
-  other("`outwards`", [](M, const Now&, double, T out, R) { return out; });
+  other("`outwards` in full", [](M, const Now&, double, T out, R) { return out; });
   other("`outwards` times the radius",
         [](M m, const Now&, double, T out, R) { return times(m.setting.disc_radius, out); });
   other("the height along the normal",
@@ -136,7 +139,15 @@ inline Question<Moment> force_question(const std::string& tested) {
   q.place = [=](const Moment& m) -> std::string {
     return contact(m).touches ? "in contact " + disc_place(m, racket_at(m)) : "in the air";
   };
-  q.parts = force_parts<Moment>(contact, [](const Moment& m) { return m; });
+  const auto itself = [](const Moment& m) { return m; };
+  q.parts = force_parts<Moment>(contact, itself);
+  q.factors = force_factors<Moment>(contact, itself);
+  q.parts.push_back({"c times the racket's velocity", 0, [=](const Moment& m) {
+                       const Contact c = contact(m);
+                       const double own = dot(c.direction, m.motion.velocity);
+                       return times(c.touches ? m.setting.damping * (own - c.away) : 0,
+                                    c.direction);
+                     }});
   const auto with = [](View view) {
     return [view](const Moment& m) { return force_with(m, view); };
   };

@@ -20,6 +20,7 @@ struct Evidence {
   std::vector<std::string> place;            // "in the air", for each question
   std::vector<std::string> components;       // what x, y and z are called; empty: not asked
   std::vector<Part> parts;
+  std::vector<Part> products;  // a part times or divided by what it should not be
 };
 
 bool near(const Triple& a, const Triple& b, double tolerance);

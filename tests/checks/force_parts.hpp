@@ -60,14 +60,10 @@ std::vector<PartOf<Probe>> force_parts(ContactOf contact, MomentOf moment) {
   add_push("the size of the velocity, c |v|", 0,
            [](S s, C c) { return -s.damping * std::abs(c.away); });
   add_push("c v^2", 0, [](S s, C c) { return -s.damping * c.away * c.away; });
-  add_push("c v times the overlap", 0, [=](S s, C c) { return damper(s, c) * c.overlap; });
-  add_push("c v times the mass", 0, [=](S s, C c) { return damper(s, c) * s.mass; });
   add_push("k v (stiffness for damping)", 0, [](S s, C c) { return -s.stiffness * c.away; });
   add_push("v, without the damping", 0, [](S, C c) { return -c.away; });
   add_push("c times the overlap", 0, [](S s, C c) { return s.damping * c.overlap; });
   add_push("c times the radius", 0, [](S s, C) { return s.damping * s.radius; });
-  add_push("the spring times the mass", 0, [=](S s, C c) { return spring(s, c) * s.mass; });
-  add_push("k times the overlap squared", 0, [=](S s, C c) { return spring(s, c) * c.overlap; });
   add_push("k times the radius", 0, [](S s, C) { return s.stiffness * s.radius; });
   add_push("the overlap, without the stiffness", 0, [](S, C c) { return c.overlap; });
   add("a spring in the air", 0,
@@ -75,8 +71,22 @@ std::vector<PartOf<Probe>> force_parts(ContactOf contact, MomentOf moment) {
   add("a damper in the air", 0,
       [=](S s, C c, M) { return times(c.touches ? 0 : damper(s, c), c.direction); });
   add("g, without the mass", 0, [](S s, C, M) { return up(-s.gravity); });
-  add("m m g", 0, [](S s, C, M m) { return up(-m.weight() * s.mass); });
   add("the number 9.81, times the mass", 0, [](S s, C, M) { return up(-9.81 * s.mass); });
+  add_push("2 sqrt(k m) v (the critical damping)", 0,
+           [](S s, C c) { return -2 * std::sqrt(s.stiffness * s.mass) * c.away; });
+  for (const std::size_t axis : {0u, 1u, 2u}) {
+    static const char* braked[] = {"c times v_x", "c times v_y", "c times v_z"};
+    static const char* along[] = {"the whole push, along x,", "the whole push, along y,",
+                                  "the whole push, along z,"};
+    add(braked[axis], 0, [=](S s, C c, M m) {
+      return times(c.touches ? -s.damping * m.motion.velocity[axis] : 0, c.direction);
+    });
+    add(along[axis], 0, [=](S s, C c, M) {
+      Triple push{};
+      push[axis] = c.touches && !lets_go(s, c) ? spring(s, c) + damper(s, c) : 0;
+      return push;
+    });
+  }
   add("a constant of 1 N", 0, [](S, C, M) { return up(1); });
   add("m g along x", 0, [](S, C, M m) { return Triple{-m.weight(), 0, 0}; });
   add("m g along z", 0, [](S, C, M m) { return Triple{0, 0, -m.weight()}; });
@@ -92,6 +102,21 @@ std::vector<PartOf<Probe>> force_parts(ContactOf contact, MomentOf moment) {
   add("c times the speed |v|, whatever its direction", 0, [](S s, C c, M m) {
     return times(c.touches ? -s.damping * length(m.motion.velocity) : 0, c.direction);
   });
+  return all;
+}
+
+/// What a force is multiplied with by mistake.
+template <class Probe, class ContactOf, class MomentOf>
+auto force_factors(ContactOf contact, MomentOf moment) {
+  std::vector<std::pair<std::string, std::function<double(const Probe&)>>> all;
+  all.push_back({"the mass", [=](const Probe& p) { return moment(p).setting.mass; }});
+  all.push_back({"the radius", [=](const Probe& p) { return moment(p).setting.radius; }});
+  all.push_back({"gravity", [=](const Probe& p) { return moment(p).setting.gravity; }});
+  all.push_back({"the overlap", [=](const Probe& p) { return contact(p).overlap; }});
+  all.push_back({"the square root of the overlap",
+                 [=](const Probe& p) { return std::sqrt(std::max(0.0, contact(p).overlap)); }});
+  all.push_back({"the velocity", [=](const Probe& p) { return contact(p).away; }});
+  all.push_back({"t", [=](const Probe& p) { return moment(p).t; }});
   return all;
 }
 

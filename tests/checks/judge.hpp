@@ -4,6 +4,7 @@
 #include <functional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "checks/diagnosis.hpp"
@@ -63,6 +64,8 @@ struct Question {
   std::string look_at;                                       // when no suspect explains the answers
   std::function<std::string(const Probe&)> place = nullptr;  // "in contact": where it is asked
   std::vector<PartOf<Probe>> parts = {};
+  // What a part may have been multiplied with, or divided by, and should not: {"the mass", ...}
+  std::vector<std::pair<std::string, std::function<double(const Probe&)>>> factors = {};
 };
 
 /// What the learner reads after the first failure.
@@ -82,6 +85,26 @@ const Finding& last_finding();
 inline constexpr const char* all_zero = "0 in every case";
 inline constexpr const char* not_among_them = "none of the known mistakes";
 
+/// Each part of the right answer, times and divided by what it should not be.
+template <class Probe>
+void add_products(const Question<Probe>& question, const std::vector<Probe>& probes, Evidence& e) {
+  for (const PartOf<Probe>& part : question.parts) {
+    if (part.wanted == 0) continue;
+    for (const auto& [name, factor] : question.factors) {
+      Part more{part.name + " times " + name, 0, {}},
+          less{part.name + " divided by " + name, 0, {}};
+      for (const Probe& probe : probes) {
+        const Triple value = part.value(probe);
+        const double by = factor(probe), under = by != 0 ? 1 / by : 0;
+        more.value.push_back({value[0] * by, value[1] * by, value[2] * by});
+        less.value.push_back({value[0] * under, value[1] * under, value[2] * under});
+      }
+      e.products.push_back(more);
+      e.products.push_back(less);
+    }
+  }
+}
+
 /// What the answers are made of, and the same questions asked once more, in reverse.
 template <class Probe>
 void look_closer(const Question<Probe>& question, const std::vector<Probe>& probes, Evidence& e) {
@@ -92,6 +115,7 @@ void look_closer(const Question<Probe>& question, const std::vector<Probe>& prob
     e.parts.push_back({part.name, part.wanted, {}});
     for (const Probe& probe : probes) e.parts.back().value.push_back(part.value(probe));
   }
+  add_products(question, probes, e);
 }
 
 /// Asks all probes. If an answer is wrong, the suspect that gives *all* of the subject's answers,

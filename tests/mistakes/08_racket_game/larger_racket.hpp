@@ -1,7 +1,7 @@
 // Not an infinite one: its rim is too far out.
 // check: is the ball on the disc? Beside it the nearest point is on the rim
 // told: none of the known mistakes
-// seen: `outwards`
+// seen: `outwards` in full in place of `outwards` cut at the rim
 
 // [nearest]
 NearestPoint nearest(const Disc& racket, const Eigen::Vector3d& ball) const {
