@@ -25,6 +25,7 @@ inline Contact contact_of(const Two& p) {
 }
 inline std::string pair_place(const Two& p) {
   if (p.overlap() <= 0) return "without contact";
+  if (p.d() == 0) return "where the centres coincide";
   if (p.d() < std::max(p.one.radius, p.two.radius)) return "with one centre inside the other ball";
   return p.separation() < 0 ? "while they approach" : "while they part";
 }
