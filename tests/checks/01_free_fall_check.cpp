@@ -31,7 +31,7 @@ struct Turn {
 
 Triple y_and_v(double y, double v) { return {y, v, 0}; }
 
-Question<Turn> loop_question() {
+Question<Turn> loop_question(const Turn& first) {
   Question<Turn> q;
   q.tested = "position and velocity after one step of the loop";
   q.names = {"y [m]", "v [m/s]", ""};
@@ -80,9 +80,32 @@ Question<Turn> loop_question() {
        [](const Turn& s) { return y_and_v(s.y + s.v * s.dt, s.v); }},
       {"the position stays", "only the velocity changed. The velocity moves the position.",
        [](const Turn& s) { return y_and_v(s.y, s.v + s.a() * s.dt); }},
-      {nothing_written, "nothing has moved: the gap in the loop is still empty.",
+      {"nothing moves",
+       "position and velocity stay as they were. If this gap is still empty, that is "
+       "why.",
        [](const Turn& s) { return y_and_v(s.y, s.v); }},
   };
+  const auto part = [&](const char* name, double wanted, auto value) {
+    q.parts.push_back({name, wanted, value});
+  };
+  using T = const Turn&;
+  part("the old y", 1, [](T s) { return y_and_v(s.y, 0); });
+  part("the old v (in v)", 1, [](T s) { return y_and_v(0, s.v); });
+  part("v dt (in y)", 1, [](T s) { return y_and_v(s.v * s.dt, 0); });
+  part("a dt (in v)", 1, [](T s) { return y_and_v(0, s.a() * s.dt); });
+  part("a dt^2 (in y, from the new velocity)", 1,
+       [](T s) { return y_and_v(s.a() * s.dt * s.dt, 0); });
+  part("a dt^2 (in v)", 0, [](T s) { return y_and_v(0, s.a() * s.dt * s.dt); });
+  part("v without dt (in y)", 0, [](T s) { return y_and_v(s.v, 0); });
+  part("a without dt (in v)", 0, [](T s) { return y_and_v(0, s.a()); });
+  part("a dt (in y)", 0, [](T s) { return y_and_v(s.a() * s.dt, 0); });
+  part("v dt (in v)", 0, [](T s) { return y_and_v(0, s.v * s.dt); });
+  const auto other = [&](const char* name, auto a) {  // another acceleration
+    part(name, 0, [a](T s) { return y_and_v(a(s) * s.dt * s.dt, a(s) * s.dt); });
+  };
+  other("the acceleration at t = 0", [](T s) { return s.law(0, s.y, s.v); });
+  other("the acceleration at t + dt", [](T s) { return s.law(s.t + s.dt, s.y, s.v); });
+  other("the acceleration of the first call (`static`?)", [first](T) { return first.a(); });
   return q;
 }
 
@@ -108,6 +131,19 @@ TEST_SUITE("01_free_fall") {
         {"mass forgotten", "this is the acceleration. The force is mass times that: F = -m g.",
          [](const Moment& m) { return up(-m.setting.gravity); }},
         {example_numbers, example_advice, [](const Moment&) { return up(-9.81); }}};
+    q.parts = {{"m g", 1, [](const Moment& m) { return up(-m.weight()); }},
+               {"g, without the mass", 0, [](const Moment& m) { return up(-m.setting.gravity); }},
+               {"the number 9.81, times the mass", 0,
+                [](const Moment& m) { return up(-9.81 * m.setting.mass); }},
+               {"a constant of 1 N", 0, [](const Moment&) { return up(1); }},
+               {"m y (gravity does not depend on the place)", 0,
+                [](const Moment& m) { return up(m.setting.mass * m.y()); }}};
+    q.factors = {
+        {"the mass", [](const Moment& m) { return m.setting.mass; }},
+        {"the mass squared", [](const Moment& m) { return m.setting.mass * m.setting.mass; }},
+        {"gravity", [](const Moment& m) { return m.setting.gravity; }},
+        {"y", [](const Moment& m) { return m.y(); }},
+        {"t", [](const Moment& m) { return m.t; }}};
     judge(q, moments());
   }
 
@@ -128,6 +164,11 @@ TEST_SUITE("01_free_fall") {
                   {"multiplied by the mass", "F = m a, so a = F / m: divide.",
                    [](const Moment& m) { return up(-m.weight() * m.setting.mass); }},
                   {example_numbers, example_advice, [](const Moment&) { return up(-9.81); }}};
+    q.parts = {
+        {"g", 1, [](const Moment& m) { return up(-m.setting.gravity); }},
+        {"m g", 0, [](const Moment& m) { return up(-m.weight()); }},
+        {"g / m", 0, [](const Moment& m) { return up(-m.setting.gravity / m.setting.mass); }},
+        {"1 m/s^2", 0, [](const Moment&) { return up(1); }}};
     judge(q, moments());
   }
 
@@ -141,7 +182,7 @@ TEST_SUITE("01_free_fall") {
         turns.push_back({law, dice.between(0, 2), dice.between(-2, 2), dice.between(-2, 2), dt});
       }
     }
-    judge(loop_question(), turns);
+    judge(loop_question(turns[0]), turns);
   }
 
   TEST_CASE("after many steps the position is g t dt / 2 below the formula") {

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "checks/force_parts.hpp"
 #include "checks/run_check.hpp"
 
 using namespace bounce::check;
@@ -21,6 +22,13 @@ Question<Moment> force_question(const std::string& tested) {
   q.where = on_a_line;
   q.when = one_moment;
   q.look_at = "F = -m g, and while y < r also + k (r - y).";
+  const auto contact = [](const Moment& m) {
+    return Contact{up(1), m.setting.radius - m.y(), m.v(), m.overlaps()};
+  };
+  q.place = [=](const Moment& m) { return contact_place(contact(m), m.setting.radius); };
+  const auto itself = [](const Moment& m) { return m; };
+  q.parts = force_parts<Moment>(contact, itself);
+  q.factors = force_factors<Moment>(contact, itself);
   q.suspects = {
       {"gravity points up", "y counts upwards, gravity pulls downwards: -mass * gravity.",
        [](const Moment& m) { return up(right(m) + 2 * m.weight()); }},
@@ -57,6 +65,18 @@ Question<Moment> force_question(const std::string& tested) {
       {"no spring",
        "this is gravity alone. While the ball overlaps the floor a spring pushes, too.",
        [](const Moment& m) { return up(-m.weight()); }},
+      {"a whole number in place of a double",
+       "the overlap is cut to whole metres: an `int` where a `double` should be.",
+       [](const Moment& m) {
+         return up(-m.weight() +
+                   (m.overlaps() ? m.setting.stiffness * std::trunc(m.setting.radius - m.y()) : 0));
+       }},
+      {"the diameter in place of the radius",
+       "contact begins a radius above the floor: y < r, and the overlap is r - y, not 2 r - y.",
+       [](const Moment& m) {
+         const double overlap = 2 * m.setting.radius - m.y();
+         return up(-m.weight() + (overlap > 0 ? m.setting.stiffness * overlap : 0));
+       }},
       {example_numbers, example_advice,
        [](const Moment& m) { return up(right(as_in_the_example(m))); }}};
   return q;
@@ -68,7 +88,8 @@ std::vector<Moment> moments(unsigned seed, double least, double most) {
   std::vector<Moment> all;
   for (int i = 0; i < 24; ++i) {
     const Setting s = any_setting(dice);
-    const double overlap = s.radius * dice.between(least, most);
+    // Some are deep: the whole ball is below the floor, or came through it.
+    const double overlap = s.radius * dice.between(least, i % 4 == 3 && least > 0 ? 40 : most);
     all.push_back({s, dice.between(0, 3), {up(s.radius - overlap), up(dice.between(-5, 5))}});
   }
   return all;

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "checks/force_parts.hpp"
 #include "checks/run_check.hpp"
 
 using namespace bounce::check;
@@ -28,6 +29,13 @@ Question<Moment> force_question(const std::string& tested) {
   q.where = on_a_line;
   q.when = one_moment;
   q.look_at = "F = -m g, and while y < r also + k (r - y) - c v.";
+  const auto contact = [](const Moment& m) {
+    return Contact{up(1), m.setting.radius - m.y(), m.v(), m.overlaps()};
+  };
+  q.place = [=](const Moment& m) { return contact_place(contact(m), m.setting.radius); };
+  const auto itself = [](const Moment& m) { return m; };
+  q.parts = force_parts<Moment>(contact, itself);
+  q.factors = force_factors<Moment>(contact, itself);
   q.suspects = {
       {"<= instead of <",
        "a ball that just touches (y = r) has no overlap, so no contact force: y < r.",
@@ -92,6 +100,32 @@ Question<Moment> force_question(const std::string& tested) {
        [](const Moment& m) {
          return up(-m.weight() + (m.overlaps() ? std::max(0.0, spring(m) + damper(m)) : 0));
        }},
+      {"push_only takes the damper away",
+       "the damper is there with both contacts. push_only only says that spring and damper "
+       "together "
+       "never pull.",
+       [](const Moment& m) {
+         return up(-m.weight() +
+                   (m.overlaps() ? spring(m) + (m.setting.push_only ? 0 : damper(m)) : 0));
+       }},
+      {"push_only pulls only",
+       "min for max: the push is the *larger* one of 0 and spring + damper.",
+       [](const Moment& m) {
+         const double p = spring(m) + damper(m);
+         return up(-m.weight() + (!m.overlaps() ? 0 : m.setting.push_only ? std::min(0.0, p) : p));
+       }},
+      {"push_only turns the pull around",
+       "where spring and damper would pull, the push is 0: max(0, push), not its size.",
+       [](const Moment& m) {
+         const double p = spring(m) + damper(m);
+         return up(-m.weight() + (!m.overlaps() ? 0 : m.setting.push_only ? std::abs(p) : p));
+       }},
+      {"damping times the position",
+       "the damper brakes the velocity: damping * v, and v is state.velocity.",
+       [](const Moment& m) {
+         return up(-m.weight() +
+                   (m.overlaps() ? clamped(m, spring(m) - m.setting.damping * m.y()) : 0));
+       }},
       {example_numbers, example_advice,
        [](const Moment& m) { return up(right(as_in_the_example(m))); }}};
   return q;
@@ -106,8 +140,12 @@ std::vector<Moment> moments(unsigned seed, double least, double most, Contacts c
     Setting s = any_setting(dice);
     s.damping = dice.between(1, 300);
     s.push_only = contacts == push_only_too && i % 3 != 0;
-    const double overlap = s.radius * dice.between(least, most);
-    all.push_back({s, dice.between(0, 3), {up(s.radius - overlap), up(dice.between(-9, 9))}});
+    // Some are deep: the whole ball is below the floor, or came through it.
+    const bool deep = i % 4 == 3 && least > 0;
+    const double overlap = s.radius * dice.between(least, deep ? 40 : most);
+    all.push_back({s,
+                   dice.between(0, 3),
+                   {up(s.radius - overlap), up(i % 8 == 5 ? 0 : dice.between(-9, 9))}});
   }
   return all;
 }

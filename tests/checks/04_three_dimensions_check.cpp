@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "checks/force_parts.hpp"
 #include "checks/run_check.hpp"
 
 using namespace bounce::check;
@@ -25,6 +26,13 @@ Question<Moment> force_question(const std::string& tested) {
   q.where = [](const Moment& m) { return in_space(m) + (m.setting.floor ? "" : ", no floor"); };
   q.when = one_moment;
   q.look_at = "along y it is the force of stage 3; along x and z there is no force at all.";
+  const auto contact = [](const Moment& m) {
+    return Contact{up(1), m.setting.radius - m.y(), m.v(), touches(m)};
+  };
+  q.place = [=](const Moment& m) { return contact_place(contact(m), m.setting.radius); };
+  const auto itself = [](const Moment& m) { return m; };
+  q.parts = force_parts<Moment>(contact, itself);
+  q.factors = force_factors<Moment>(contact, itself);
   q.suspects = {
       {"<= instead of <",
        "a ball that just touches (y = r) has no overlap, so no contact force: y < r.",
@@ -69,6 +77,11 @@ Question<Moment> force_question(const std::string& tested) {
       {"no floor where there is one, or one where there is none",
        "`floor` says whether there is a floor; yours has none.",
        [](const Moment& m) { return weight(m); }},
+      {"the weight is gone in contact",
+       "in contact there is the push only. Forces add up: force.y() += push.",
+       [](const Moment& m) {
+         return touches(m) ? up(push(m.setting, overlap(m), m.v())) : weight(m);
+       }},
       {"the damper has the wrong sign", "a brake points against the velocity: - c v.",
        [](const Moment& m) {
          return plus(weight(m), up(touches(m) ? push(m.setting, overlap(m), -m.v()) : 0));
@@ -91,7 +104,8 @@ std::vector<Moment> moments(unsigned seed, double least, double most, int kinds)
     s.push_only = kinds > 1 && i % 2 == 1;
     s.floor = kinds < 3 || i % 3 != 0;
     Motion motion{dice.triple(2), dice.triple(9)};
-    motion.position[1] = s.radius - s.radius * dice.between(least, most);
+    const bool deep = i % 4 == 2 && least > 0;  // the whole ball is below the floor
+    motion.position[1] = s.radius - s.radius * dice.between(least, deep ? 40 : most);
     all.push_back({s, dice.between(0, 3), motion});
   }
   return all;
@@ -122,6 +136,10 @@ TEST_SUITE("04_three_dimensions") {
     q.truth = [](const Moment& m) { return times(1 / m.setting.mass, right(m)); };
     q.rounding = [](const Moment& m) { return 2 * force_rounding(m) / m.setting.mass; };
     q.look_at = "a = F / m, for the whole vector at once.";
+    q.parts.clear();  // of the force
+    q.parts.push_back({"F / m", 1, q.truth});
+    q.parts.push_back({"F", 0, right});
+    q.parts.push_back({"F m", 0, [](const Moment& m) { return times(m.setting.mass, right(m)); }});
     q.suspects = {{"mass forgotten", "this is the force itself. Divide it by the mass.", right},
                   {"multiplied by the mass", "F = m a, so a = F / m: divide.",
                    [](const Moment& m) { return times(m.setting.mass, right(m)); }}};

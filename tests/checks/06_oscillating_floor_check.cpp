@@ -1,154 +1,9 @@
+#include "checks/06_oscillating_floor_questions.hpp"
+
 #include <doctest/doctest.h>
 
-#include "checks/run_check.hpp"
-
 using namespace bounce::check;
-
-namespace {
-
-constexpr int relative = 0, fixed_switch = 2;  // FloorLaw; 1 is absolute
-
-double angle(const Moment& m) { return m.setting.angular_frequency * m.t + m.setting.phase; }
-double steady(const Moment& m) { return m.setting.floor_velocity * m.t; }
-double height(const Moment& m) { return steady(m) + m.setting.amplitude * std::sin(angle(m)); }
-double speed(const Moment& m) {
-  return m.setting.floor_velocity +
-         m.setting.amplitude * m.setting.angular_frequency * std::cos(angle(m));
-}
-
-std::string floor_text(const Moment& m) {
-  const Setting& s = m.setting;
-  return "amplitude " + number(s.amplitude) + ", angular_frequency " + number(s.angular_frequency) +
-         ", phase " + number(s.phase) + ", floor_velocity " + number(s.floor_velocity);
-}
-
-Question<Moment> floor_question(const std::string& tested, const char* unit, const char* name) {
-  Question<Moment> q;
-  q.tested = tested;
-  q.unit = unit;
-  q.names = {"", name, ""};
-  q.lesson = "docs/06_oscillating_floor.md, \"The idea\"";
-  q.rounding = [](const Moment& m) {
-    return 1e-13 * (1 + std::abs(steady(m)) + m.setting.amplitude * m.setting.angular_frequency);
-  };
-  q.where = floor_text;
-  q.when = one_moment;
-  return q;
-}
-
-/// What a force would be, if floor and contact were so.
-struct View {
-  double floor, floor_speed;  // as the code sees them
-  bool moving_contact = true;
-  bool relative_damper = true;
-};
-
-Triple force_with(const Moment& m, const View& view) {
-  const Setting& s = m.setting;
-  const double contact_floor = view.moving_contact ? view.floor : 0;
-  if (!(m.y() - contact_floor < s.radius)) return up(-m.weight());
-  const double v = view.relative_damper ? m.v() - view.floor_speed : m.v();
-  return up(-m.weight() + push(s, s.radius - m.y() + view.floor, v));
-}
-View seen(const Moment& m) {
-  return {height(m), speed(m), m.setting.floor_law != fixed_switch,
-          m.setting.floor_law == relative};
-}
-Triple right(const Moment& m) { return force_with(m, seen(m)); }
-
-Question<Moment> force_question(const std::string& tested) {
-  Question<Moment> q = floor_question(tested, "N", "F");
-  q.lesson = "docs/06_oscillating_floor.md, \"The program\"";
-  q.answer = [](const Moment& m) { return subject().force(m.setting, m.t, m.motion); };
-  q.truth = right;
-  q.rounding = force_rounding;
-  q.where = [](const Moment& m) {
-    static const char* laws[] = {"relative", "absolute", "fixed-switch"};
-    return on_a_line(m) + "; " + floor_text(m) + ", floor_law " + laws[m.setting.floor_law] +
-           "; the floor is at " + number(height(m)) + " m and moves with " + number(speed(m)) +
-           " m/s";
-  };
-  q.look_at = "the overlap is r - y + floor height; the damper sees v - floor speed.";
-  const auto view = [](auto change) {
-    return [change](const Moment& m) {
-      View v = seen(m);
-      change(m, v);
-      return force_with(m, v);
-    };
-  };
-  q.suspects = {
-      {"gravity points up", "y counts upwards, gravity pulls downwards.",
-       [](const Moment& m) { return plus(right(m), up(2 * m.weight())); }},
-      {"mass forgotten", "a force is wanted, and gravity alone is an acceleration.",
-       [](const Moment& m) { return plus(right(m), up(m.weight() - m.setting.gravity)); }},
-      {"contact tested at y < r on a moving floor",
-       "the ball touches where the floor *is*: while y - floor < r.",
-       view([](const Moment&, View& v) { v.moving_contact = false; })},
-      {"damper with absolute velocity",
-       "the damper brakes the ball's own velocity. With floor_law relative it brakes the velocity "
-       "between ball and floor: v - floor speed.",
-       view([](const Moment&, View& v) { v.relative_damper = false; })},
-      {"the floor's sign",
-       "a floor that rises presses the ball more: the overlap is r - y + floor height.",
-       [](const Moment& m) {
-         const Setting& s = m.setting;
-         if (!(m.y() - height(m) < s.radius)) return up(-m.weight());
-         return up(-m.weight() + push(s, s.radius - m.y() - height(m), m.v() - speed(m)));
-       }},
-      {"the floor's sign",
-       "the floor is on the wrong side in yours: y - floor < r, and r - y + floor.",
-       view([](const Moment&, View& v) { v.floor = -v.floor; })},
-      {"the floor's speed with the wrong sign", "the damper sees v *minus* the floor's speed.",
-       view([](const Moment&, View& v) { v.floor_speed = -v.floor_speed; })},
-      {"a floor at rest", "the floor is at height 0 in yours. Ask floor_height(t).",
-       view([](const Moment&, View& v) { v.floor = v.floor_speed = 0; })},
-      {"the damper has the wrong sign", "a brake points against the velocity.",
-       [](const Moment& m) {
-         Moment other = m;
-         other.setting.damping = -m.setting.damping;
-         return right(other);
-       }},
-      {"push_only forgotten", "with contact push_only the push is max(0, spring + damper).",
-       [](const Moment& m) {
-         Moment other = m;
-         other.setting.push_only = false;
-         return right(other);
-       }},
-      {"push_only whatever the contact", "only if contact == ContactLaw::push_only.",
-       [](const Moment& m) {
-         Moment other = m;
-         other.setting.push_only = true;
-         return right(other);
-       }}};
-  return q;
-}
-
-enum Kind { only_relative, all_laws, switch_law };
-
-std::vector<Moment> moments(unsigned seed, double least, double most, Kind kind) {
-  Dice dice(seed);
-  std::vector<Moment> all;
-  for (int i = 0; i < 30; ++i) {
-    Setting s = any_setting(dice);
-    s.damping = dice.between(1, 300);
-    s.amplitude = dice.between(0.05, 0.3);
-    s.angular_frequency = dice.between(3, 30);
-    s.phase = dice.between(0, 6);
-    s.floor_velocity = dice.between(-0.5, 0.5);
-    if (kind == all_laws) {
-      s.floor_law = i % 3;
-      s.push_only = i % 2 == 1;
-    }
-    if (kind == switch_law) s.floor_law = fixed_switch;
-    Moment m{s, dice.between(0, 3), {{}, up(dice.between(-5, 5))}};
-    const double from = kind == switch_law ? 0 : height(m);
-    m.motion.position = up(from + s.radius * (1 - dice.between(least, most)));
-    all.push_back(m);
-  }
-  return all;
-}
-
-}  // namespace
+using namespace bounce::check::oscillating_floor;
 
 TEST_SUITE("06_oscillating_floor") {
   TEST_CASE("the floor is at floor_velocity t + A sin(w t + phase)") {
@@ -156,6 +11,30 @@ TEST_SUITE("06_oscillating_floor") {
     q.answer = [](const Moment& m) { return up(subject().floor_height(m.setting, m.t)); };
     q.truth = [](const Moment& m) { return up(height(m)); };
     q.look_at = "h(t) = floor_velocity t + A sin(w t + phase)";
+    q.factors = {{"t", [](const Moment& m) { return m.t; }},
+                 {"w", [](const Moment& m) { return m.setting.angular_frequency; }},
+                 {"A", [](const Moment& m) { return m.setting.amplitude; }}};
+    using M = const Moment&;
+    const auto part = [&](const char* name, double wanted, auto value) {
+      q.parts.push_back({name, wanted, [=](M m) { return up(value(m)); }});
+    };
+    const auto swing = [&](const char* name, auto at) {
+      part(name, 0, [=](M m) { return m.setting.amplitude * std::sin(at(m)); });
+    };
+    part("floor_velocity t", 1, steady);
+    part("A sin(w t + phase)", 1, [](M m) { return height(m) - steady(m); });
+    part("floor_velocity, without t,", 0, [](M m) { return m.setting.floor_velocity; });
+    part("A cos(w t + phase)", 0, [](M m) { return m.setting.amplitude * std::cos(angle(m)); });
+    part("sin(w t + phase) without A", 0, [](M m) { return std::sin(angle(m)); });
+    swing("A sin(w t - phase)", [](M m) { return angle(m) - 2 * m.setting.phase; });
+    swing("A sin(w t)", [](M m) { return angle(m) - m.setting.phase; });
+    swing("A sin(w (t + phase))",
+          [](M m) { return m.setting.angular_frequency * (m.t + m.setting.phase); });
+    swing("A sin(2 pi w t + phase)", [](M m) {
+      return 2 * std::acos(-1) * m.setting.angular_frequency * m.t + m.setting.phase;
+    });
+    swing("A sin of the angle in degrees", [](M m) { return angle(m) * std::acos(-1) / 180; });
+    swing("A sin(t + phase), without w,", [](M m) { return m.t + m.setting.phase; });
     q.suspects = {
         {"cos instead of sin", "the floor starts in the middle of its swing: sin, not cos.",
          [](const Moment& m) { return up(steady(m) + m.setting.amplitude * std::cos(angle(m))); }},
@@ -176,6 +55,27 @@ TEST_SUITE("06_oscillating_floor") {
     q.answer = [](const Moment& m) { return up(subject().floor_speed(m.setting, m.t)); };
     q.truth = [](const Moment& m) { return up(speed(m)); };
     q.look_at = "differentiate floor_velocity t + A sin(w t + phase).";
+    q.factors = {{"t", [](const Moment& m) { return m.t; }},
+                 {"w", [](const Moment& m) { return m.setting.angular_frequency; }},
+                 {"A", [](const Moment& m) { return m.setting.amplitude; }}};
+    using M = const Moment&;
+    const auto part = [&](const char* name, double wanted, auto value) {
+      q.parts.push_back({name, wanted, [=](M m) { return up(value(m)); }});
+    };
+    const auto wave = [](M m) { return std::cos(angle(m)); };
+    part("floor_velocity", 1, [](M m) { return m.setting.floor_velocity; });
+    part("A w cos(w t + phase)", 1, [](M m) { return speed(m) - m.setting.floor_velocity; });
+    part("w cos(w t + phase) without A", 0,
+         [=](M m) { return m.setting.angular_frequency * wave(m); });
+    part("A cos(w t + phase) without w", 0, [=](M m) { return m.setting.amplitude * wave(m); });
+    part("A w sin(w t + phase)", 0, [](M m) {
+      return m.setting.amplitude * m.setting.angular_frequency * std::sin(angle(m));
+    });
+    part("A w cos(w t) without phase", 0, [](M m) {
+      return m.setting.amplitude * m.setting.angular_frequency *
+             std::cos(angle(m) - m.setting.phase);
+    });
+    part("floor_velocity t", 0, steady);
     q.suspects = {
         {"w forgotten", "the derivative of sin(w t) is w cos(w t): the inner derivative counts.",
          [](const Moment& m) {
@@ -189,6 +89,60 @@ TEST_SUITE("06_oscillating_floor") {
         {"floor_velocity forgotten", "the derivative of floor_velocity t is floor_velocity.",
          [](const Moment& m) { return up(speed(m) - m.setting.floor_velocity); }}};
     judge(q, moments(62, -1, 1, only_relative));
+  }
+  TEST_CASE("the laws: touches(y, floor) and damped_velocity(t, v)") {
+    Question<Moment> q = floor_question("touches(y, floor)", "", "touches");
+    q.lesson = "docs/06_oscillating_floor.md, \"Is the claim true?\"";
+    q.look_at = "the table above the gap: one row for each floor_law.";
+    q.where = [](const Moment& m) {
+      return "y = " + number(m.y()) + " m, v = " + number(m.v()) + " m/s, radius " +
+             number(m.setting.radius) + "; " + law_name(m) + "; the floor is at " +
+             number(height(m)) + " m and moves with " + number(speed(m)) + " m/s";
+    };
+    q.place = [](const Moment& m) { return "with " + law_name(m); };
+    q.answer = [](const Moment& m) {
+      return up(subject().touches(m.setting, m.y(), height(m)) ? 1 : 0);
+    };
+    const auto moving = [](const Moment& m) {
+      return up(m.y() - height(m) < m.setting.radius ? 1 : 0);
+    };
+    const auto fixed = [](const Moment& m) { return up(m.y() < m.setting.radius ? 1 : 0); };
+    q.truth = [=](const Moment& m) {
+      return m.setting.floor_law == fixed_switch ? fixed(m) : moving(m);
+    };
+    q.suspects = {{"contact tested at y < r on a moving floor",
+                   "the ball touches where the floor *is*: while y - floor < r.", fixed},
+                  {"the floor's sign", "the floor is on the wrong side in yours: y - floor < r.",
+                   [](const Moment& m) {
+                     const double floor = m.setting.floor_law == fixed_switch ? 0 : -height(m);
+                     return up(m.y() - floor < m.setting.radius ? 1 : 0);
+                   }}};
+    judge(q, moments(69, -1, 1, all_laws));
+    q.tested = "damped_velocity(t, v)";
+    q.unit = "m/s";
+    q.names = {"", "velocity", ""};
+    q.answer = [](const Moment& m) { return up(subject().damped_velocity(m.setting, m.t, m.v())); };
+    q.truth = [](const Moment& m) {
+      return up(m.v() - (m.setting.floor_law == relative ? speed(m) : 0));
+    };
+    q.parts = {
+        {"v", 1, [](const Moment& m) { return up(m.v()); }},
+        {"- the floor's speed", 1,
+         [](const Moment& m) { return up(m.setting.floor_law == relative ? -speed(m) : 0); }},
+        {"- the floor's speed, where it does not count,", 0,
+         [](const Moment& m) { return up(m.setting.floor_law == relative ? 0 : -speed(m)); }}};
+    q.suspects = {
+        {"damper with absolute velocity",
+         "the damper brakes the ball's own velocity. With floor_law relative it brakes "
+         "the velocity between ball and floor: v - floor speed.",
+         [](const Moment& m) { return up(m.v()); }},
+        {"relative whatever the law", "only with floor_law relative does the floor's speed count.",
+         [](const Moment& m) { return up(m.v() - speed(m)); }},
+        {"the floor's speed with the wrong sign", "the damper sees v *minus* the floor's speed.",
+         [](const Moment& m) {
+           return up(m.v() + (m.setting.floor_law == relative ? speed(m) : 0));
+         }}};
+    judge(q, moments(70, -1, 1, all_laws));
   }
   TEST_CASE("above the moving floor only gravity acts") {
     judge(force_question("the force on a ball that does not touch"),

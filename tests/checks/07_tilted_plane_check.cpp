@@ -1,151 +1,9 @@
+#include "checks/07_tilted_plane_questions.hpp"
+
 #include <doctest/doctest.h>
 
-#include "checks/run_check.hpp"
-
 using namespace bounce::check;
-
-namespace {
-
-struct Equation {  // n . p + d = 0, with whatever length n has
-  Triple n;
-  double d;
-  double distance(const Triple& p) const { return dot(n, p) + d; }
-};
-
-Equation as_given(const Moment& m) { return {m.setting.normal, m.setting.offset}; }
-Equation unit(const Moment& m) {
-  const double size = length(m.setting.normal);
-  return {times(1 / size, m.setting.normal), m.setting.offset / size};
-}
-
-Triple force_on(const Moment& m, double y, double v, const Triple& along) {
-  const double p = y < m.setting.radius ? push(m.setting, m.setting.radius - y, v) : 0;
-  return plus(up(-m.weight()), along, p);
-}
-Triple force_of(const Moment& m, const Equation& plane) {
-  return force_on(m, plane.distance(m.motion.position), dot(plane.n, m.motion.velocity), plane.n);
-}
-Triple right(const Moment& m) { return force_of(m, unit(m)); }
-
-std::string plane_text(const Moment& m) {
-  return "normal " + numbers(m.setting.normal) + ", offset " + number(m.setting.offset);
-}
-
-Question<Moment> plane_question() {
-  Question<Moment> q;
-  q.lesson = "docs/07_tilted_plane.md, \"A normal must have length 1\"";
-  q.rounding = [](const Moment& m) { return 1e-14 * (1 + std::abs(m.setting.offset)); };
-  q.where = plane_text;
-  q.when = one_moment;
-  return q;
-}
-
-Question<Moment> force_question(const std::string& tested) {
-  Question<Moment> q = plane_question();
-  q.tested = tested;
-  q.unit = "N";
-  q.names = {"Fx", "Fy", "Fz"};
-  q.lesson = "docs/07_tilted_plane.md, \"The idea\"";
-  q.answer = [](const Moment& m) { return subject().force(m.setting, m.t, m.motion); };
-  q.truth = right;
-  q.rounding = [](const Moment& m) { return 4 * force_rounding(m); };
-  q.where = [](const Moment& m) { return in_space(m) + "; " + plane_text(m); };
-  q.look_at = "distance n . p + d, velocity away n . v, and a push along n.";
-  q.suspects = {
-      {"gravity points up", "y is up and gravity pulls downwards.",
-       [](const Moment& m) { return plus(right(m), up(2 * m.weight())); }},
-      {"mass forgotten", "a force is wanted, and gravity alone is an acceleration.",
-       [](const Moment& m) { return plus(right(m), up(m.weight() - m.setting.gravity)); }},
-      {"gravity along the normal", "gravity pulls straight down, whatever the plane does.",
-       [](const Moment& m) {
-         return plus(plus(right(m), up(m.weight())), unit(m).n, -m.weight());
-       }},
-      {"normal not normalised",
-       "the equation's normal has any length. Divide normal and offset by it first: use plane().",
-       [](const Moment& m) { return force_of(m, as_given(m)); }},
-      {"the offset's sign", "the distance is n . p + d: plus.",
-       [](const Moment& m) {
-         Equation plane = unit(m);
-         plane.d = -plane.d;
-         return force_of(m, plane);
-       }},
-      {"the offset forgotten", "the distance is n . p + d. Without d every plane goes through 0.",
-       [](const Moment& m) {
-         Equation plane = unit(m);
-         plane.d = 0;
-         return force_of(m, plane);
-       }},
-      {"distance without sign",
-       "behind the plane the distance is negative, and so the overlap is more than the radius. "
-       "With "
-       "|n . p + d| a ball that got too deep is let through, or pulled in.",
-       [](const Moment& m) {
-         const Equation plane = unit(m);
-         return force_on(m, std::abs(plane.distance(m.motion.position)),
-                         dot(plane.n, m.motion.velocity), plane.n);
-       }},
-      {"the push along y", "a tilted floor pushes along its normal, not straight up.",
-       [](const Moment& m) {
-         const Equation plane = unit(m);
-         return force_on(m, plane.distance(m.motion.position), dot(plane.n, m.motion.velocity),
-                         up(1));
-       }},
-      {"the damper sees the velocity along y", "the velocity away from the plane is n . v.",
-       [](const Moment& m) {
-         const Equation plane = unit(m);
-         return force_on(m, plane.distance(m.motion.position), m.motion.velocity[1], plane.n);
-       }},
-      {"the damper has the wrong sign", "a brake points against the velocity: - c n . v.",
-       [](const Moment& m) {
-         const Equation plane = unit(m);
-         return force_on(m, plane.distance(m.motion.position), -dot(plane.n, m.motion.velocity),
-                         plane.n);
-       }},
-      {"damper on all three components",
-       "the plane is frictionless: only the part of the velocity along the normal is braked.",
-       [](const Moment& m) {
-         const Equation plane = unit(m);
-         const double overlap = m.setting.radius - plane.distance(m.motion.position);
-         if (!(overlap > 0)) return up(-m.weight());
-         return plus(plus(up(-m.weight()), plane.n, m.setting.stiffness * overlap),
-                     m.motion.velocity, -m.setting.damping);
-       }},
-      {"the normal points the other way", "the ball is pushed to the side where the normal points.",
-       [](const Moment& m) {
-         const Equation plane = unit(m);
-         return force_on(m, plane.distance(m.motion.position), dot(plane.n, m.motion.velocity),
-                         times(-1, plane.n));
-       }},
-      {"push_only forgotten", "with contact push_only the push is max(0, spring + damper).",
-       [](const Moment& m) {
-         Moment other = m;
-         other.setting.push_only = false;
-         return right(other);
-       }}};
-  return q;
-}
-
-/// `least` and `most`: the distance from the plane, in radii.
-std::vector<Moment> moments(unsigned seed, double least, double most, bool push_only_too) {
-  Dice dice(seed);
-  std::vector<Moment> all;
-  for (int i = 0; i < 30; ++i) {
-    Setting s = any_setting(dice);
-    s.damping = dice.between(1, 300);
-    s.push_only = push_only_too && i % 2 == 1;
-    s.normal = times(dice.between(0.3, 4), dice.direction());
-    s.offset = dice.sign() * dice.between(0.2, 3);
-    Moment m{s, dice.between(0, 3), {dice.triple(2), dice.triple(9)}};
-    const Equation plane = unit(m);
-    const double wanted = s.radius * dice.between(least, most);
-    m.motion.position =
-        plus(m.motion.position, plane.n, wanted - plane.distance(m.motion.position));
-    all.push_back(m);
-  }
-  return all;
-}
-
-}  // namespace
+using namespace bounce::check::tilted_plane;
 
 TEST_SUITE("07_tilted_plane") {
   TEST_CASE("the normal gets length 1") {
@@ -158,6 +16,17 @@ TEST_SUITE("07_tilted_plane") {
     };
     q.truth = [](const Moment& m) { return unit(m).n; };
     q.look_at = "divide the normal by its length.";
+    q.parts = {{"the normal divided by its length", 1, [](const Moment& m) { return unit(m).n; }},
+               {"the normal as it is given", 0, [](const Moment& m) { return m.setting.normal; }},
+               {"the normal divided by its largest part", 0,
+                [](const Moment& m) {
+                  const Triple& n = m.setting.normal;
+                  return times(1 / std::max({n[0], n[1], n[2]}), n);
+                }},
+               {"the normal divided by a + b + c", 0, [](const Moment& m) {
+                  const Triple& n = m.setting.normal;
+                  return times(1 / (n[0] + n[1] + n[2]), n);
+                }}};
     q.suspects = {{"normal not normalised", "its length is not 1. Divide it by normal.norm().",
                    [](const Moment& m) { return m.setting.normal; }},
                   {"divided by the length twice", "divide by the length, not by its square.",
@@ -175,6 +44,13 @@ TEST_SUITE("07_tilted_plane") {
     q.answer = [](const Moment& m) { return up(subject().plane(m.setting)[3]); };
     q.truth = [](const Moment& m) { return up(unit(m).d); };
     q.look_at = "both sides of the equation are divided by the length of the normal.";
+    q.parts = {
+        {"the offset divided by the length", 1, [](const Moment& m) { return up(unit(m).d); }},
+        {"the offset as it is given", 0, [](const Moment& m) { return up(m.setting.offset); }},
+        {"the offset times the length", 0,
+         [](const Moment& m) { return up(m.setting.offset * length(m.setting.normal)); }},
+        {"the offset divided by the length twice", 0,
+         [](const Moment& m) { return up(unit(m).d / length(m.setting.normal)); }}};
     q.suspects = {
         {"offset not normalised",
          "the normal is divided by its length and the offset is not, so it is another plane.",

@@ -84,6 +84,18 @@ shows '"stage": "03_damping", "status": "not begun"'
 shows '"passed": 1, "of":'
 run 0 check 1 --report "$BOUNCE_MINE/report.json"
 
+# Whatever one file does, each stage has its row.
+cmake -DBASE="$top/stages/01_free_fall/free_fall.hpp" -DPIECES="$top/tests/mistakes/endings/vector_without_end.hpp" \
+  -DOUT="$mine" -P "$top/tests/mistakes/splice.cmake"
+echo 'int x = "";' >>"$BOUNCE_MINE/02_spring_floor/mine.hpp"
+run 1 check --report "$BOUNCE_MINE/report.json"
+out=$(cat "$BOUNCE_MINE/report.json")
+shows '"stage": "01_free_fall", "status": "crashed"'
+shows 'a vector that grows without end'
+shows '"stage": "02_spring_floor", "status": "does not compile"'
+shows '"stage": "08_racket_game", "status": "not begun"'
+cp "$top/stages/01_free_fall/free_fall.hpp" "$mine"
+
 run 0 reset 1
 same "$mine.1" "$top/stages/01_free_fall/free_fall.hpp"
 same "$mine" "$skeleton"
@@ -124,7 +136,7 @@ shows "01_free_fall: method=semi-implicit-euler"
 play1 'int x = "";'
 shows "error: "
 play1 'double nowhere(double x); static const double at_start = nowhere(2);'
-shows "'nowhere(double)' is called, but it has no body"
+shows "nowhere(double) is declared and used, and nowhere is it said what it does"
 play1 'int main() { return 0; }'
 shows "a main() of your own"
 run 1 check 1

@@ -4,8 +4,10 @@
 #include <functional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "checks/diagnosis.hpp"
 #include "checks/subject.hpp"
 
 namespace bounce::check {
@@ -13,7 +15,7 @@ namespace bounce::check {
 /// The stage under check.
 const Subject& subject();
 
-/// Drawn by lot, and the same in every run: who writes the example's numbers into the code fails.
+/// Random, and the same in every run: who writes the example's numbers into the code fails.
 class Dice {
  public:
   explicit Dice(unsigned seed) : engine_(seed) {}
@@ -38,6 +40,14 @@ struct Suspect {
   std::function<Triple(const Probe&)> answers;
 };
 
+/// A part of the answer, for diagnose().
+template <class Probe>
+struct PartOf {
+  std::string name;
+  double wanted;  // 1; 0 for what is in wrong answers only
+  std::function<Triple(const Probe&)> value;
+};
+
 /// What is asked of the subject, and how a wrong answer is explained.
 template <class Probe>
 struct Question {
@@ -51,69 +61,103 @@ struct Question {
   std::function<std::string(const Probe&)> where;
   std::function<std::string(const Probe&)> when;  // t and dt
   std::vector<Suspect<Probe>> suspects;
-  std::string look_at;  // when no suspect explains the answers
+  std::string look_at;                                       // when no suspect explains the answers
+  std::function<std::string(const Probe&)> place = nullptr;  // "in contact": where it is asked
+  std::vector<PartOf<Probe>> parts = {};
+  // What a part may have been multiplied with, or divided by, and should not: {"the mass", ...}
+  std::vector<std::pair<std::string, std::function<double(const Probe&)>>> factors = {};
 };
 
 /// What the learner reads after the first failure.
 struct Finding {
-  std::string tested, where, when, got, expected, mistake, advice, lesson;
+  std::string tested, where, when, got, expected;
+  std::string seen;  // where the answers are right, and what the error goes with (diagnosis.hpp)
+  std::string mistake, advice, lesson;
 };
 
-bool near(const Triple& a, const Triple& b, double tolerance);
 std::string answer_text(const Triple& answer, const std::vector<std::string>& names,
                         const std::string& unit);
-/// "got / expected = -1 in every case", when the answers go together like that; or nothing.
-std::string common_factor(const std::vector<Triple>& got, const std::vector<Triple>& expected);
-
 /// Keeps the finding for the reader, and ends the test case.
 [[noreturn]] void fail(const Finding& finding);
 /// What `fail` kept last.
 const Finding& last_finding();
 
-inline constexpr const char* nothing_written = "nothing written yet";
+inline constexpr const char* all_zero = "0 in every case";
 inline constexpr const char* not_among_them = "none of the known mistakes";
+
+/// Each part of the right answer, times and divided by what it should not be.
+template <class Probe>
+void add_products(const Question<Probe>& question, const std::vector<Probe>& probes, Evidence& e) {
+  for (const PartOf<Probe>& part : question.parts) {
+    if (part.wanted == 0) continue;
+    for (const auto& [name, factor] : question.factors) {
+      Part more{part.name + " times " + name, 0, {}},
+          less{part.name + " divided by " + name, 0, {}};
+      for (const Probe& probe : probes) {
+        const Triple value = part.value(probe);
+        const double by = factor(probe), under = by != 0 ? 1 / by : 0;
+        more.value.push_back({value[0] * by, value[1] * by, value[2] * by});
+        less.value.push_back({value[0] * under, value[1] * under, value[2] * under});
+      }
+      e.products.push_back(more);
+      e.products.push_back(less);
+    }
+  }
+}
+
+/// What the answers are made of, and the same questions asked once more, in reverse.
+template <class Probe>
+void look_closer(const Question<Probe>& question, const std::vector<Probe>& probes, Evidence& e) {
+  e.again.resize(probes.size());
+  for (std::size_t i = probes.size(); i-- > 0;) e.again[i] = question.answer(probes[i]);
+  for (const Probe& probe : probes) e.place.push_back(question.place ? question.place(probe) : "");
+  for (const PartOf<Probe>& part : question.parts) {
+    e.parts.push_back({part.name, part.wanted, {}});
+    for (const Probe& probe : probes) e.parts.back().value.push_back(part.value(probe));
+  }
+  add_products(question, probes, e);
+}
 
 /// Asks all probes. If an answer is wrong, the suspect that gives *all* of the subject's answers,
 /// the right ones too, is named: not what could be wrong, but what would look just like this.
 template <class Probe>
 void judge(const Question<Probe>& question, const std::vector<Probe>& probes) {
-  std::vector<Triple> got, expected;
-  std::vector<double> rounding;
+  Evidence e;
+  e.components = question.names;
   std::size_t wrong = probes.size();
-  bool all_zero = true;
   for (const Probe& probe : probes) {
-    got.push_back(question.answer(probe));
-    expected.push_back(question.truth(probe));
-    rounding.push_back(question.rounding(probe));
-    const bool right = near(got.back(), expected.back(), rounding.back());
-    if (!right) wrong = std::min(wrong, got.size() - 1);
-    all_zero = all_zero && near(got.back(), Triple{}, 0);
+    e.got.push_back(question.answer(probe));
+    e.expected.push_back(question.truth(probe));
+    e.rounding.push_back(question.rounding(probe));
+    const bool right = near(e.got.back(), e.expected.back(), e.rounding.back());
+    if (!right) wrong = std::min(wrong, e.got.size() - 1);
   }
   if (wrong == probes.size()) return;
 
+  look_closer(question, probes, e);
   Finding finding{question.tested,
                   question.where(probes[wrong]),
                   question.when(probes[wrong]),
-                  answer_text(got[wrong], question.names, question.unit),
-                  answer_text(expected[wrong], question.names, question.unit),
+                  answer_text(e.got[wrong], question.names, question.unit),
+                  answer_text(e.expected[wrong], question.names, question.unit),
+                  diagnose(e),
                   not_among_them,
                   question.look_at,
                   question.lesson};
   const auto explains = [&](const Suspect<Probe>& suspect) {
     for (std::size_t i = 0; i < probes.size(); ++i) {
-      if (!near(got[i], suspect.answers(probes[i]), rounding[i])) return false;
+      if (!near(e.got[i], suspect.answers(probes[i]), e.rounding[i])) return false;
     }
     return true;
   };
+  const auto is_zero = [](const Triple& answer) { return near(answer, Triple{}, 0); };
   const auto guilty = std::find_if(question.suspects.begin(), question.suspects.end(), explains);
-  if (all_zero) {
-    finding.mistake = nothing_written;
-    finding.advice = "the answer is 0 in every case: this gap is still empty.";
+  if (std::all_of(e.got.begin(), e.got.end(), is_zero)) {
+    finding.mistake = all_zero;
+    finding.advice = "if this gap is still empty, that is why.";
   } else if (guilty != question.suspects.end()) {
     finding.mistake = guilty->mistake;
     finding.advice = guilty->advice;
-  } else if (const std::string factor = common_factor(got, expected); !factor.empty()) {
-    finding.advice = factor + ". " + finding.advice;
   }
   fail(finding);
 }

@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "06_oscillating_floor/exact/exact.hpp"
-#include "physics/closed_form.hpp"
-#include "physics/event_driven.hpp"
+#include "physics/events/closed_form.hpp"
+#include "physics/events/event_driven.hpp"
 
 namespace bounce::check {
 

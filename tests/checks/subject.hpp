@@ -22,6 +22,8 @@ struct Setting {
   Triple centre{}, disc_normal{0, 1, 0}, disc_velocity{}, disc_spin{};         // stage 8
   double disc_radius = 0.3;                                                    // stage 8
   int side = 1;                                                                // stage 8
+  double since = 0;                                                            // stage 8
+  double floor_stiffness = 1e4, floor_damping = 0;                             // stage 5
 };
 
 struct Motion {
@@ -74,6 +76,8 @@ class Subject {
   // Stage 6
   virtual double floor_height(const Setting&, double /*t*/) const { return 0; }
   virtual double floor_speed(const Setting&, double /*t*/) const { return 0; }
+  virtual bool touches(const Setting&, double /*y*/, double /*floor*/) const { return false; }
+  virtual double damped_velocity(const Setting&, double /*t*/, double /*v*/) const { return 0; }
   // Stage 7: a, b, c, d with a normal of unit length
   virtual std::array<double, 4> plane(const Setting&) const { return {}; }
   // Stage 8

@@ -25,12 +25,15 @@ int main(int argc, char** argv) {
       "| mistake | | the check that catches it | what the learner is told |\n|---|---|---|---|\n");
   for (const fs::path& path : files) {
     std::ifstream file(path);
-    std::string why, check, told;
+    std::string why, check, told, seen;
     std::getline(file, why);
     std::getline(file, check);
     std::getline(file, told);
+    std::getline(file, seen);
     check = after(check, "// check: ");
     told = after(told, "// told: ");
+    seen = after(seen, "// seen: ");  // what the diagnosis says, where no known mistake fits
+    if (!seen.empty()) told = "\"" + seen + "\"";
     if (after(why, "// ").empty() || check.empty() || told.empty()) {
       std::fprintf(stderr,
                    "%s: the first three lines must be // WHY, // check: ..., // told: ...\n",

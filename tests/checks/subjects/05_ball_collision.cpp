@@ -56,8 +56,10 @@ class Subject final : public check::Subject {
     const auto count = static_cast<Eigen::Index>(balls.size());
     BallCollision scene;
     scene.gravity = setting.gravity;
-    scene.stiffness = scene.floor_stiffness = setting.stiffness;
-    scene.damping = scene.floor_damping = setting.damping;
+    scene.stiffness = setting.stiffness;
+    scene.damping = setting.damping;
+    scene.floor_stiffness = setting.floor_stiffness;
+    scene.floor_damping = setting.floor_damping;
     scene.contact = check::contact_law(setting);
     scene.floor = setting.floor;
     scene.mass.resize(count);

@@ -16,6 +16,12 @@ class Subject final : public check::OneBall<OscillatingFloor> {
   double floor_speed(const check::Setting& setting, double t) const override {
     return scene_of(setting).floor_speed(t);
   }
+  bool touches(const check::Setting& setting, double y, double floor) const override {
+    return scene_of(setting).touches(y, floor);
+  }
+  double damped_velocity(const check::Setting& setting, double t, double v) const override {
+    return scene_of(setting).damped_velocity(t, v);
+  }
 };
 
 }  // namespace

@@ -59,6 +59,7 @@ class Subject final : public check::Subject {
                   check::to_vector<Vector>(setting.disc_velocity),
                   check::to_vector<Vector>(setting.disc_spin)};
     scene.side = setting.side;
+    scene.since = setting.since;
     return scene;
   }
 };

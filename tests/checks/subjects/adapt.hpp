@@ -3,7 +3,7 @@
 
 #include "checks/subject.hpp"
 #include "physics/contact.hpp"
-#include "physics/integrators.hpp"
+#include "physics/methods/stepping_methods.hpp"
 #include "physics/state.hpp"
 
 namespace bounce::check {

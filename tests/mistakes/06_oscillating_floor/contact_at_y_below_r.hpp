@@ -1,5 +1,5 @@
 // The slides' switch, where the lesson asks for the floor.
-// check: above the moving floor only gravity acts
+// check: the laws: touches(y, floor) and damped_velocity(t, v)
 // told: contact tested at y < r on a moving floor
 
 // [laws]

@@ -1,5 +1,5 @@
 // The result depends on who watches.
-// check: in contact: k (r - y + floor) - c (v - floor speed)
+// check: the laws: touches(y, floor) and damped_velocity(t, v)
 // told: damper with absolute velocity
 
 // [laws]

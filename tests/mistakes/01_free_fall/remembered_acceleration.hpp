@@ -1,0 +1,13 @@
+// Asked once, and kept for ever.
+// check: one step of the loop: acceleration, then velocity, then position
+// told: none of the known mistakes
+// seen: the acceleration of the first call (`static`?) in place of
+
+// [loop]
+template <class Scene>
+void fall_one_step(const Scene& scene, double t, State<double>& state, double dt) {
+  static const double acceleration = scene.acceleration(t, state);  // from the force
+  state.velocity += acceleration * dt;                              // acceleration changes velocity
+  state.position += state.velocity * dt;                            // velocity changes position
+}
+// [loop]

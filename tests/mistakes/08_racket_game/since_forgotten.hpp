@@ -1,0 +1,21 @@
+// Right while the racket moves since time 0.
+// check: a racket that moves and turns: the damper sees the velocity between the two
+// told: since forgotten
+
+// [force]
+Eigen::Vector3d force(double t, const State<Eigen::Vector3d>& state) const {
+  // Distance of the centre from the racket, and velocity away from the point that is touched.
+  const Disc racket = disc.after(t);
+  const auto [point, n, y] = nearest(racket, state.position);
+  const double v = n.dot(state.velocity - racket.velocity_of(point));
+  // Gravity, downwards.
+  Eigen::Vector3d force(0, -mass * gravity, 0);
+  // Only while the ball overlaps the racket: a spring, and a damper against the velocity.
+  if (y < radius) {
+    double push = stiffness * (radius - y) - damping * v;
+    if (contact == ContactLaw::push_only) push = std::max(0.0, push);
+    force += push * n;  // along the normal
+  }
+  return force;
+}
+// [force]
