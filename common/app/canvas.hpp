@@ -23,7 +23,7 @@ struct Colour {
 };
 
 enum class Align { left, centre, right };
-enum class TextSize { tick, normal, title };  // 13, 16 and 18 pixels
+enum class TextSize { tick, normal, title, score };  // 13, 16, 18 and 64 pixels
 
 /// What pictures are drawn on. Pictures know nothing else of the window, so that they can be built,
 /// and tested, without one.

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <utility>
 
+#include "app/palette.hpp"
 #include "run/output_file.hpp"
 
 namespace bounce {
@@ -44,11 +45,40 @@ static void refuse_same_file(const Options& options) {
   }
 }
 
+Plot plot_column(const std::string& title, const std::string& unit, const std::string& column) {
+  return {title, unit, palette::motion,
+          [column](const TracePoint& point) { return point.column(column); },
+          [column](const TracePoint& point) { return point.exact_column(column); }};
+}
+
+Plot plot_error(const std::string& title, const std::string& unit, const std::string& column) {
+  return {title, unit, palette::ink, [column](const TracePoint& point) {
+            return point.column(column) - point.exact_column(column);
+          }};
+}
+
+Plot plot_kinetic_energy(const std::string& title) {
+  return {title, "J", palette::motion,
+          [](const TracePoint& point) { return point.energy.kinetic; }};
+}
+
+Plot plot_spring_energy(const std::string& title) {
+  return {title, "J", palette::spring, [](const TracePoint& point) { return point.energy.spring; }};
+}
+
+Plot plot_lost_energy(const std::string& title) {
+  return {title, "J", palette::damper, [](const TracePoint& point) { return point.lost; }};
+}
+
+Plot plot_energy_error(const std::string& title) {
+  return {title, "J", palette::ink, [](const TracePoint& point) { return point.energy_error(); }};
+}
+
 int play(int argc, const char* const* argv, const Demo& demo) {
-  const std::unique_ptr<Simulation> simulation = demo.make();
+  std::unique_ptr<Simulation> simulation = demo.make();
   return guarded(demo.stage, *simulation, [&]() -> int {
     Options options;
-    if (!parse_command_line(argc, argv, demo.stage, *simulation, options, demo.options)) {
+    if (!parse_command_line(argc, argv, demo.stage, simulation, options, demo.options)) {
       return exit_ok;
     }
     refuse_same_file(options);

@@ -31,8 +31,19 @@ struct Plot {
   std::string unit;
   Colour colour;
   std::function<double(const TracePoint&)> value;
-  std::function<double(const TracePoint&)> exact;  // drawn dashed below it; may be empty
+  std::function<double(const TracePoint&)> exact = {};  // drawn dashed below it; may be empty
 };
+
+/// A column of the trace, with the exact solution's below it.
+Plot plot_column(const std::string& title, const std::string& unit, const std::string& column);
+/// How far that column is from the exact solution's.
+Plot plot_error(const std::string& title, const std::string& unit, const std::string& column);
+/// Energy of motion, and in the springs [J].
+Plot plot_kinetic_energy(const std::string& title);
+Plot plot_spring_energy(const std::string& title);
+/// The energy that the damper took; and the energy that is neither here nor taken [J].
+Plot plot_lost_energy(const std::string& title);
+Plot plot_energy_error(const std::string& title);
 
 /// A slider of the demo's own, for what is no parameter but follows from some.
 struct Dial {

@@ -48,19 +48,19 @@ void draw_mark(Canvas& canvas, Point at, Method method, Colour colour) {
       {{at.x, at.y - r - 1}, {at.x + r + 1, at.y}, {at.x, at.y + r + 1}, {at.x - r - 1, at.y}}};
   const std::array<Point, 3> up{{{at.x, at.y - r}, {at.x + r, at.y + r}, {at.x - r, at.y + r}}};
   const std::array<Point, 3> down{{{at.x, at.y + r}, {at.x - r, at.y - r}, {at.x + r, at.y - r}}};
-  switch (method) {
-    case Method::explicit_euler:
+  switch (method.mark) {
+    case Mark::triangle:
       return canvas.fill(up, colour);
-    case Method::velocity_verlet:
+    case Mark::square:
       return draw_rect(canvas, {at.x - 4, at.y - 4, 8, 8}, colour);
-    case Method::rk4:
+    case Mark::diamond:
       return canvas.fill(diamond, colour);
-    case Method::rk4_events:
+    case Mark::open_diamond:
       canvas.fill(diamond, colour);
       return canvas.disc(at, 2, palette::paper);
-    case Method::flight_rk4:
+    case Mark::triangle_down:
       return canvas.fill(down, colour);
-    default:
+    case Mark::disc:
       return canvas.disc(at, r, colour);
   }
 }
@@ -72,7 +72,7 @@ std::vector<Method> methods_of(const ErrorChart& chart) {
       methods.push_back(dot.method);
     }
   }
-  if (chart.offers_exact()) methods.push_back(Method::exact);
+  if (chart.offers_exact()) methods.push_back(methods::exact);
   return methods;
 }
 
@@ -89,13 +89,13 @@ void power_of_ten(Canvas& canvas, Point at, int power, Align align) {
 void draw_grid(Canvas& canvas, const Axes& axes) {
   const int step = axes.right - axes.left > 9 ? 4 : 2;
   for (int power = axes.right; power >= axes.left; power -= step) {
-    const float x = axes.at({Method::exact, 0, 1, std::pow(10, power)}).x;
+    const float x = axes.at({methods::exact, 0, 1, std::pow(10, power)}).x;
     const std::array<Point, 2> line{{{x, axes.box.y}, {x, axes.box.bottom()}}};
     canvas.line(line, palette::grid_major, 1);
     power_of_ten(canvas, {x, axes.box.bottom() + 4}, power, Align::centre);
   }
   for (int power = axes.bottom; power <= axes.top; ++power) {
-    const float y = axes.at({Method::exact, 0, std::pow(10, power), 1}).y;
+    const float y = axes.at({methods::exact, 0, std::pow(10, power), 1}).y;
     const std::array<Point, 2> line{{{axes.box.x, y}, {axes.box.right(), y}}};
     canvas.line(line, palette::grid_major, 1);
     power_of_ten(canvas, {axes.box.x - 6, y - 8}, power, Align::right);
@@ -116,7 +116,7 @@ void draw_methods(Canvas& canvas, const Axes& axes, const ErrorChart& chart, Met
     for (const ErrorChart::Dot& dot : dots) curve.push_back(axes.at(dot));
     canvas.line(curve, colour, methods[i] == chosen ? 2.0f : 1.0f);
     for (const Point at : curve) draw_mark(canvas, at, methods[i], colour);
-    if (methods[i] == Method::exact) {
+    if (methods[i] == methods::exact) {
       const std::array<Point, 2> dash{{{name.x - 4, name.y + 9}, {name.x + 8, name.y + 9}}};
       draw_dashed(canvas, dash, colour, 2);
     } else {
@@ -129,8 +129,8 @@ void draw_methods(Canvas& canvas, const Axes& axes, const ErrorChart& chart, Met
 
 /// Two lines on what the simulation uses now.
 std::array<std::string, 2> sentence(const ErrorChart& chart, Method method, double dt) {
-  if (method == Method::exact) return {"now: exact", "no steps, and no error but rounding"};
-  if (method == Method::reference) return {"now: reference", "it chooses its steps itself"};
+  if (method == methods::exact) return {"now: exact", "no steps, and no error but rounding"};
+  if (method == methods::reference) return {"now: reference", "it chooses its steps itself"};
   const std::optional<ErrorChart::Dot> now = chart.now();
   char what[80], how[80];
   std::snprintf(what, sizeof what, "now: %s, dt %.4g s", name_of(method).c_str(), dt);
@@ -183,7 +183,7 @@ std::optional<ChartChoice> error_chart_choice(Rect area, const ErrorChart& chart
   const Rect exact = name_place(axes, methods_of(chart).size() - (chart.offers_exact() ? 1 : 0));
   if (chart.offers_exact() && at.x >= exact.x - 8 && at.x <= exact.right() && at.y >= exact.y &&
       at.y <= exact.bottom()) {
-    return ChartChoice{Method::exact, 0};
+    return ChartChoice{methods::exact, 0};
   }
   std::optional<ChartChoice> nearest;
   float closest = 12;  // px

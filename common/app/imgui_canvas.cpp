@@ -71,7 +71,7 @@ void ImGuiCanvas::load_fonts_into(ImFontAtlas& atlas) {
       "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",  // Fedora
       "/System/Library/Fonts/Supplemental/Arial.ttf",       // macOS
       "C:/Windows/Fonts/segoeui.ttf"};
-  static constexpr float sizes[] = {13, 16, 18};
+  static constexpr float sizes[] = {13, 16, 18, 64};
   ImFontConfig crisp;
   crisp.OversampleH = crisp.OversampleV = 1;
   crisp.PixelSnapH = true;
@@ -81,6 +81,8 @@ void ImGuiCanvas::load_fonts_into(ImFontAtlas& atlas) {
     fonts_[1] = atlas.AddFontFromFileTTF(path, sizes[1], &crisp);
     fonts_[0] = atlas.AddFontFromFileTTF(path, sizes[0], &crisp);
     fonts_[2] = atlas.AddFontFromFileTTF(path, sizes[2], &crisp);
+    static constexpr ImWchar digits[] = {'0', '9', 0};
+    fonts_[3] = atlas.AddFontFromFileTTF(path, sizes[3], &crisp, digits);
     return;
   }
   fonts_.fill(atlas.AddFontDefault());

@@ -29,7 +29,7 @@ class ImGuiCanvas final : public Canvas {
  private:
   void load_fonts_into(ImFontAtlas& atlas);
 
-  std::array<ImFont*, 3> fonts_{};
+  std::array<ImFont*, 4> fonts_{};
   // Balls of these diameters [px]; the next larger one is drawn smaller.
   static constexpr std::array<int, 9> ball_sizes{8, 11, 16, 22, 32, 45, 64, 90, 128};
   std::array<int, ball_sizes.size()> ball_pictures_{};  // in the texture

@@ -229,7 +229,7 @@ void Panel::draw_method(Player& player, View& view) {
     }
     ImGui::EndCombo();
   }
-  if (goes_by_events(simulation.method())) return;
+  if (simulation.method().goes_by_events) return;
   double dt = simulation.dt();
   if (slide("dt", dt, dt_slider) && dt > 0) player.change([dt](Simulation& s) { s.use_dt(dt); });
   note_slider(player, view);
@@ -258,13 +258,13 @@ void Panel::measure_cost(const Player& player) {
 void Panel::draw_cost_and_error(Player& player) {
   heading("cost and error, now");
   const Simulation& simulation = player.simulation();
-  if (simulation.method() == Method::exact) {
+  if (simulation.method() == methods::exact) {
     ImGui::Text("no steps: from event to event by formula");
-  } else if (simulation.method() == Method::reference) {
+  } else if (simulation.method() == methods::reference) {
     ImGui::Text("steps chosen for a tolerance of %.2g", simulation.tolerance());
   } else {
     // Where events are located, how many there are depends on the movement: they are counted.
-    const int a_step = force_evaluations_per_step(simulation.method());
+    const int a_step = simulation.method().evaluations;
     if (cost_is_old_ && (seen_ || a_step == 0)) measure_cost(player);
     const double rate = a_step == 0 ? counted_per_second_ : a_step / simulation.dt();
     ImGui::Text("%.4g force evaluations per second", rate);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "physics/event_driven.hpp"
+#include "physics/events/event_driven.hpp"
 #include "run/headless.hpp"
 
 namespace bounce {
@@ -26,6 +26,24 @@ constexpr double steps_between_looks = 1000;
 
 }  // namespace
 
+namespace {
+
+double value_in(const std::vector<double>& values, std::string_view columns,
+                std::string_view name) {
+  const std::vector<std::string> names = split(columns);
+  const auto found = std::find(names.begin(), names.end(), name);
+  const auto at = static_cast<std::size_t>(found - names.begin());
+  return found != names.end() && at < values.size() ? values[at]
+                                                    : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+double TracePoint::column(std::string_view name) const { return value_in(values, columns, name); }
+double TracePoint::exact_column(std::string_view name) const {
+  return value_in(exact, columns, name);
+}
+
 double Player::wall_clock() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -39,9 +57,14 @@ Player::Player(std::unique_ptr<Simulation> simulation, Clock clock)
 }
 
 TracePoint Player::point(const Simulation& simulation) {
-  return {
-      simulation.time(),   simulation.values(),        simulation.exact_values(simulation.time()),
-      simulation.energy(), simulation.energy_before(), simulation.energy_lost()};
+  const EnergyAccount account = simulation.energy_account();
+  return {simulation.traits().columns,
+          simulation.time(),
+          simulation.values(),
+          simulation.exact_values(simulation.time()),
+          simulation.energy(),
+          account.before,
+          account.lost};
 }
 
 void Player::remember() {
@@ -106,7 +129,7 @@ void Player::note_pace(double wanted, double done) {
 
 void Player::move_to(double t) {
   try {
-    if (goes_by_events(simulation_->method())) {
+    if (simulation_->method().goes_by_events) {
       simulation_->advance_to(t);
       remember();
       shown_time_ = t;
@@ -135,7 +158,8 @@ void Player::move_to(double t) {
 /// as in one go, so that the results are the same, to the bit.
 void Player::advance_steps_to(double t) {
   const double dt = simulation_->dt();
-  const double each = static_cast<double>(simulation_->balls()) * simulation_->pieces_per_step();
+  const Traits its = simulation_->traits();
+  const double each = static_cast<double>(its.balls) * its.pieces_per_step;
   const double portion = std::max(1.0, std::floor(steps_between_looks / each));
   double left = std::ceil((t - simulation_->time()) / dt - 1e-9);
   do {
@@ -176,7 +200,7 @@ void Player::step_forward() {
   paused = true;
   if (!trouble_.empty()) return;
   past_.push_back(simulation_->clone());
-  const bool by_events = goes_by_events(simulation_->method());
+  const bool by_events = simulation_->method().goes_by_events;
   move_to(by_events ? simulation_->time() + simulation_->dt() : simulation_->time_of_next_step());
 }
 
@@ -249,7 +273,7 @@ std::vector<TracePoint> Player::future(double seconds) const {
   const double end = ahead->time() + seconds;
   std::vector<TracePoint> points;
   try {
-    const bool by_events = goes_by_events(ahead->method());
+    const bool by_events = ahead->method().goes_by_events;
     const double stride = by_events ? trace_interval : std::max(ahead->dt(), trace_interval);
     // About a millisecond for one ball, and with many not much longer.
     const double most_steps = 2e5 / static_cast<double>(ahead->balls());

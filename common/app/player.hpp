@@ -4,6 +4,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "run/simulation.hpp"
@@ -12,6 +13,7 @@ namespace bounce {
 
 /// One moment of a run, as the pictures and plots need it.
 struct TracePoint {
+  std::string_view columns;    // names of the values
   double t;                    // s
   std::vector<double> values;  // as in the CSV trace, without t; empty in old points of many balls
   std::vector<double> exact;   // the exact solution's; empty where there is none
@@ -20,6 +22,10 @@ struct TracePoint {
   double lost;                 // taken by the damper since then [J]
   /// Neither here nor taken: the method's error [J].
   double energy_error() const { return energy.total() + lost - before; }
+
+  /// The value in that column, of the first ball where there are many; NaN where there is none.
+  double column(std::string_view name) const;
+  double exact_column(std::string_view name) const;
 };
 
 /// Plays a simulation on a clock: runs, pauses, steps, goes back, slows down. It knows no window.

@@ -9,6 +9,7 @@
 #include "app/drawing.hpp"
 #include "app/layout.hpp"
 #include "app/palette.hpp"
+#include "run/rows.hpp"
 
 namespace bounce {
 namespace {
@@ -25,9 +26,8 @@ float column_x(const BallOnALine& ball) {
   return layout::scene.width * (ball.strobe ? 0.36f : 0.60f);
 }
 
-State<double> state_of(const BallOnALine& ball, const std::vector<double>& values) {
-  return {values[ball.column], values[ball.column + 1]};
-}
+double height_of(const std::vector<double>& values) { return state_in<double>(values).position; }
+double speed_of(const std::vector<double>& values) { return state_in<double>(values).velocity; }
 
 void draw_ruler(Canvas& canvas, const SideCamera& camera, double lowest, double highest) {
   const Rect& area = layout::scene;
@@ -58,14 +58,14 @@ void draw_ruler(Canvas& canvas, const SideCamera& camera, double lowest, double 
 /// Height against time: the present is the ball's column.
 class TimePath {
  public:
-  TimePath(const SideCamera& camera, float column, double now, std::size_t height)
-      : camera_(camera), column_(column), now_(now), height_(height) {}
+  TimePath(const SideCamera& camera, float column, double now)
+      : camera_(camera), column_(column), now_(now) {}
   Point at(double t, double y) const {
     return {column_ + static_cast<float>(t - now_) * per_second, camera_.at(0, y).y};
   }
   std::vector<Point> path(const std::vector<TracePoint>& points) const {
     std::vector<Point> path;
-    for (const TracePoint& point : points) path.push_back(at(point.t, point.values[height_]));
+    for (const TracePoint& point : points) path.push_back(at(point.t, height_of(point.values)));
     return path;
   }
   /// A height that is known at all times, from one moment to another, in pieces of 1/120 s.
@@ -81,7 +81,6 @@ class TimePath {
   const SideCamera& camera_;
   float column_;
   double now_;
-  std::size_t height_;  // where y stands among a trace point's values
 };
 
 void draw_past(Canvas& canvas, const Player& player, const TimePath& path, const BallOnALine& ball,
@@ -102,9 +101,9 @@ void draw_past(Canvas& canvas, const Player& player, const TimePath& path, const
   for (std::size_t i = 0; i < trace.size(); ++i) {
     const TracePoint& point = trace[i];
     if (point.t < oldest || point.t > now) continue;
-    curve.push_back(path.at(point.t, point.values[ball.column]));
-    if (ball.floor_height) floor.push_back(path.at(point.t, point.values[ball.column - 1]));
-    if (!point.exact.empty()) exact.push_back(path.at(point.t, point.exact[ball.column]));
+    curve.push_back(path.at(point.t, height_of(point.values)));
+    if (ball.floor_height) floor.push_back(path.at(point.t, point.column("floor")));
+    if (!point.exact.empty()) exact.push_back(path.at(point.t, height_of(point.exact)));
     if (curve.size() > piece) {
       const Point joint = curve.back(), exact_joint = exact.empty() ? joint : exact.back();
       flush(point.t);
@@ -112,19 +111,18 @@ void draw_past(Canvas& canvas, const Player& player, const TimePath& path, const
       if (!point.exact.empty()) exact.push_back(exact_joint);
     }
     // The top of a bounce, with its height.
-    if (i > 0 && trace[i - 1].values[ball.column + 1] > 0 && point.values[ball.column + 1] <= 0 &&
-        point.values[ball.column] > ball.radius) {
-      const Point top = path.at(point.t, point.values[ball.column]);
+    if (i > 0 && speed_of(trace[i - 1].values) > 0 && speed_of(point.values) <= 0 &&
+        height_of(point.values) > ball.radius) {
+      const Point top = path.at(point.t, height_of(point.values));
       if (top.x < last_label + 52) continue;
       last_label = top.x;
       char text[32];
-      std::snprintf(text, sizeof text, "%.3f", point.values[ball.column]);
+      std::snprintf(text, sizeof text, "%.3f", height_of(point.values));
       canvas.disc(top, 2.5f, palette::motion);
       draw_label(canvas, {top.x, top.y - 20}, text, palette::ink, Align::centre);
     }
   }
-  if (player.shown_time() > oldest)
-    curve.push_back(path.at(now, player.shown_values()[ball.column]));
+  if (player.shown_time() > oldest) curve.push_back(path.at(now, height_of(player.shown_values())));
   flush(now);
   canvas.line(floor, palette::ink.faded(0.4), 1.5f);
 }
@@ -140,7 +138,7 @@ void draw_strobe(Canvas& canvas, const Player& player, const SideCamera& camera,
     if (t >= after.t - 1e-9 || t > player.shown_time()) continue;
     const double share = (t - before.t) / (after.t - before.t);
     const auto height = [&](const std::vector<double>& a, const std::vector<double>& b) {
-      return camera.at(0, a[0] + share * (b[0] - a[0])).y;
+      return camera.at(0, height_of(a) + share * (height_of(b) - height_of(a))).y;
     };
     const float y = height(before.values, after.values);
     canvas.disc({x, y}, radius, palette::ball.faded(0.6));
@@ -191,7 +189,8 @@ void draw_force(Canvas& canvas, Point from, double force, double weight, Colour 
 
 void draw_forces(Canvas& canvas, const Player& player, const View& view, const BallOnALine& ball,
                  Point centre, float radius, float ground) {
-  const ForcesOnALine now = ball.forces(player.shown_time(), state_of(ball, player.shown_values()));
+  const Forces<double> now =
+      ball.forces(player.shown_time(), state_in<double>(player.shown_values()));
   const double weight = std::abs(now.gravity);
   draw_force(canvas, centre, now.gravity, weight, palette::gravity, 1, "", Align::left);
   if (weight > 0) {  // beside the ball, where no other arrow comes
@@ -203,12 +202,12 @@ void draw_forces(Canvas& canvas, const Player& player, const View& view, const B
   if (!view.forces) return;
 
   // A contact is over in two frames: its largest force stays in sight for a while.
-  ForcesOnALine peak;
+  Forces<double> peak{};
   double age = peak_hold;
   for (auto point = player.trace().rbegin(); point != player.trace().rend(); ++point) {
     if (player.shown_time() - point->t > peak_hold) break;
     if (point->t > player.shown_time()) continue;
-    const ForcesOnALine then = ball.forces(point->t, state_of(ball, point->values));
+    const Forces<double> then = ball.forces(point->t, state_in<double>(point->values));
     if (then.spring <= peak.spring) continue;
     peak = then;
     age = player.shown_time() - point->t;
@@ -223,7 +222,7 @@ void draw_forces(Canvas& canvas, const Player& player, const View& view, const B
     draw_force(canvas, {left.x, ground}, peak.spring, weight, palette::spring, share,
                "spring, peak", Align::right);
   }
-  const double speed = player.shown_values()[ball.column + 1];
+  const double speed = speed_of(player.shown_values());
   const Point foot{centre.x + radius + 40, centre.y};
   const Point tip{foot.x, foot.y - static_cast<float>(speed) * per_metre_per_second};
   draw_arrow(canvas, foot, tip, palette::motion, Shaft::velocity);
@@ -264,7 +263,7 @@ SideCamera side_camera(const Player& player, const BallOnALine& ball) {
   const Rect& area = layout::scene;
   double highest = ball.highest;
   for (const TracePoint& point : player.trace()) {
-    while (point.values[ball.column] + ball.radius > highest && highest < 1e12) highest *= 2;
+    while (height_of(point.values) + ball.radius > highest && highest < 1e12) highest *= 2;
   }
   const double lowest = ball.floor ? ball.lowest * highest / ball.highest : ball.lowest;
   const float top = area.y + 40, bottom = area.bottom() - 34;
@@ -274,7 +273,7 @@ SideCamera side_camera(const Player& player, const BallOnALine& ball) {
 
 bool is_on_ball(Point pixel, const Player& player, const BallOnALine& ball) {
   const SideCamera camera = side_camera(player, ball);
-  const Point centre = camera.at(0, player.shown_values()[ball.column]);
+  const Point centre = camera.at(0, height_of(player.shown_values()));
   const float reach = std::max(12.0f, camera.length(ball.radius));
   return std::hypot(pixel.x - centre.x, pixel.y - centre.y) < reach;
 }
@@ -287,7 +286,7 @@ void draw_side_view(Canvas& canvas, const Player& player, const View& view,
   const Rect& area = layout::scene;
   const float x = column_x(ball);
   const double now = player.shown_time();
-  const double y = player.shown_values()[ball.column];
+  const double y = height_of(player.shown_values());
   const float ground = camera.at(0, ball.floor_height ? ball.floor_height(now) : 0).y;
   const float radius = std::max(5.0f, camera.length(ball.radius));
   const Point centre = camera.at(0, y);
@@ -296,7 +295,7 @@ void draw_side_view(Canvas& canvas, const Player& player, const View& view,
 
   canvas.push_clip(area);
   draw_ruler(canvas, camera, bottom, top);
-  const TimePath path(camera, x, now, ball.column);
+  const TimePath path(camera, x, now);
   if (!view.earlier.empty() && !ball.strobe) {
     draw_dashed(canvas, path.path(view.earlier), palette::exact.faded(0.6), 1.5f);
   }
@@ -322,19 +321,20 @@ void draw_side_view(Canvas& canvas, const Player& player, const View& view,
   const std::vector<double> exact = player.simulation().exact_values(now);
   if (view.ghost && !exact.empty()) {
     const Point ghost{x + (ball.strobe ? strobe_ghost_offset : 0),
-                      camera.at(0, exact[ball.column]).y};
+                      camera.at(0, height_of(exact)).y};
     draw_dashed_circle(canvas, ghost, radius, palette::exact, 1.5f);
     if (ball.strobe) {
       canvas.text({x, area.y + 12}, "method", palette::ink, Align::centre, TextSize::normal);
       canvas.text({ghost.x, area.y + 12}, "exact", palette::exact, Align::centre, TextSize::normal);
-      draw_gap(canvas, centre, ghost, std::abs(y - exact[ball.column]));
+      draw_gap(canvas, centre, ghost, std::abs(y - height_of(exact)));
     }
   }
   draw_forces(canvas, player, view, ball, centre, radius, ground);
   canvas.pop_clip();
 }
 
-void use_side_view(Demo& demo, std::function<BallOnALine(const Player&)> ball) {
+void use_side_view(Demo& demo, const std::function<BallOnALine(const Simulation&)>& look) {
+  const auto ball = [look](const Player& player) { return look(player.simulation()); };
   demo.picture = [ball](const Player& player, const View& view, Canvas& canvas) {
     draw_side_view(canvas, player, view, ball(player));
   };

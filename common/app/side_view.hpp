@@ -4,25 +4,21 @@
 #include "app/canvas.hpp"
 #include "app/demo.hpp"
 #include "app/player.hpp"
+#include "physics/forces.hpp"
 #include "physics/state.hpp"
+#include "run/one_ball_run.hpp"
+#include "run/rows.hpp"
 
 namespace bounce {
 
-/// Forces on a ball that moves up and down [N], upwards positive.
-struct ForcesOnALine {
-  double gravity = 0, spring = 0, damper = 0;
-  double net() const { return gravity + spring + damper; }
-};
-
 /// What the side view needs to know of the ball.
 struct BallOnALine {
-  double radius = 0.1;  // m
-  std::function<ForcesOnALine(double t, const State<double>&)> forces;
+  double radius = 0.1;                                                        // m
+  std::function<Forces<double>(double t, const State<double>&)> forces = {};  // N, upwards
   bool floor = true;
-  std::function<double(double t)> floor_height = {};  // of one that moves [m]; empty: rests at 0
-  /// Where y stands among the trace's values. After it comes v, and before it a moving floor's
-  /// height: its past is drawn from the trace, because its law may have changed since.
-  std::size_t column = 0;
+  /// Of one that moves [m]; empty: it rests at 0. Its past is drawn from the trace's column
+  /// "floor", because its law may have changed since.
+  std::function<double(double t)> floor_height = {};
   bool strobe = false;  // leave an image every 0.1 s, beside those of the exact solution
   double lowest = -0.14,
          highest = 1.25;  // in the picture [m]; the top grows when the ball leaves it
@@ -35,7 +31,32 @@ struct BallOnALine {
 void draw_side_view(Canvas& canvas, const Player& player, const View& view,
                     const BallOnALine& ball);
 
-/// Gives a demo this scene as its picture, with a ball that can be dragged and thrown.
-void use_side_view(Demo& demo, std::function<BallOnALine(const Player&)> ball);
+/// Gives a demo this scene as its picture, with a ball that can be dragged and thrown. `look` is
+/// asked for every picture: parameters may have changed.
+void use_side_view(Demo& demo, const std::function<BallOnALine(const Simulation&)>& look);
+
+/// The demo of a scene with one ball on a line. `look` says what is not in the scene.
+template <class Scene, class Phases>
+Demo side_demo(const BallOnALine& look = {}) {
+  using Its = OneBallRun<Scene, Phases>;
+  Demo demo;
+  demo.make = [] { return std::make_unique<Its>(); };
+  use_side_view(demo, [look](const Simulation& simulation) {
+    const Scene scene = run_as<Its>(simulation).scene();
+    BallOnALine ball = look;
+    if constexpr (requires { scene.radius; }) ball.radius = scene.radius;
+    if constexpr (requires { scene.floor_height(0.0); }) {
+      ball.floor_height = [scene](double t) { return scene.floor_height(t); };
+    }
+    ball.forces = [scene](double t, const State<double>& state) {
+      return forces_of(scene, t, state);
+    };
+    return ball;
+  });
+  demo.is_over = [look](const Player& player) {  // it fell out of the picture
+    return !look.floor && state_in<double>(player.shown_values()).position < look.lowest;
+  };
+  return demo;
+}
 
 }  // namespace bounce

@@ -11,6 +11,7 @@
 #include "app/layout.hpp"
 #include "app/palette.hpp"
 #include "app/space_drawing.hpp"
+#include "run/rows.hpp"
 
 namespace bounce {
 namespace {
@@ -26,13 +27,10 @@ constexpr double arrow_time = 0.12;    // s: a velocity arrow shows the way of t
 constexpr double fastest_throw = 8;    // m/s
 
 Vector3d position_of(const std::vector<double>& values) {
-  return {values[0], values[1], values[2]};
+  return state_in<Vector3d>(values).position;
 }
 Vector3d velocity_of(const std::vector<double>& values) {
-  return {values[3], values[4], values[5]};
-}
-State<Vector3d> state_of(const std::vector<double>& values) {
-  return {position_of(values), velocity_of(values)};
+  return state_in<Vector3d>(values).velocity;
 }
 
 /// How much further away the camera must stand, so that the highest bounce fits: 1, 2, 4, ...
@@ -206,8 +204,8 @@ void draw_velocity(Canvas& canvas, const Camera& camera, const State<Vector3d>& 
 
 void draw_forces(Canvas& canvas, const Camera& camera, const Player& player, const View& view,
                  const BallInSpace& ball) {
-  const State<Vector3d> state = state_of(player.shown_values());
-  const ForcesInSpace now = ball.forces(state);
+  const State<Vector3d> state = state_in<Vector3d>(player.shown_values());
+  const Forces<Vector3d> now = ball.forces(player.shown_time(), state);
   const double weight = now.gravity.norm();
   if (view.forces) draw_velocity(canvas, camera, state);
   draw_force(canvas, camera, state.position, 0, now.gravity, weight, palette::gravity, 1,
@@ -215,13 +213,13 @@ void draw_forces(Canvas& canvas, const Camera& camera, const Player& player, con
   if (!view.forces) return;
 
   // A contact is over in two frames: its largest force stays in sight where it was.
-  ForcesInSpace peak;
+  Forces<Vector3d> peak{};
   Vector3d place = state.position;
   double age = peak_hold;
   for (auto point = player.trace().rbegin(); point != player.trace().rend(); ++point) {
     if (player.shown_time() - point->t > peak_hold) break;
     if (point->t > player.shown_time()) continue;
-    const ForcesInSpace then = ball.forces(state_of(point->values));
+    const Forces<Vector3d> then = ball.forces(point->t, state_in<Vector3d>(point->values));
     if (then.spring.norm() <= peak.spring.norm()) continue;
     peak = then;
     place = position_of(point->values);
@@ -293,7 +291,8 @@ void draw_space_view(Canvas& canvas, const Player& player, const View& view,
               palette::ink, Align::left, TextSize::tick);
 }
 
-void use_space_view(Demo& demo, std::function<BallInSpace(const Player&)> ball) {
+void use_space_view(Demo& demo, const std::function<BallInSpace(const Simulation&)>& look) {
+  const auto ball = [look](const Player& player) { return look(player.simulation()); };
   demo.in_space = true;
   demo.picture = [ball](const Player& player, const View& view, Canvas& canvas) {
     draw_space_view(canvas, player, view, ball(player));

@@ -5,21 +5,19 @@
 #include "app/canvas.hpp"
 #include "app/demo.hpp"
 #include "app/player.hpp"
+#include "physics/forces.hpp"
 #include "physics/shapes.hpp"
 #include "physics/state.hpp"
+#include "run/one_ball_run.hpp"
+#include "run/rows.hpp"
 
 namespace bounce {
 
-/// Forces on a ball in space [N].
-struct ForcesInSpace {
-  Eigen::Vector3d gravity{0, 0, 0}, spring{0, 0, 0}, damper{0, 0, 0};
-};
-
 /// What the view in space needs to know of the ball and the plane it bounces on.
 struct BallInSpace {
-  double radius = 0.1;  // m
-  std::function<ForcesInSpace(const State<Eigen::Vector3d>&)> forces;
-  Plane plane;
+  double radius = 0.1;                                                                          // m
+  std::function<Forces<Eigen::Vector3d>(double t, const State<Eigen::Vector3d>&)> forces = {};  // N
+  Plane plane = {};
   bool has_plane = true;
   bool landings = false;  // mark where it touched, with the distances between the marks
   Eigen::Vector3d look_at{1.1, 0.55, 0.4};  // the middle of the picture at first [m]
@@ -32,7 +30,36 @@ struct BallInSpace {
 void draw_space_view(Canvas& canvas, const Player& player, const View& view,
                      const BallInSpace& ball);
 
-/// Gives a demo this scene as its picture, with a ball that can be dragged and thrown.
-void use_space_view(Demo& demo, std::function<BallInSpace(const Player&)> ball);
+/// Gives a demo this scene as its picture, with a ball that can be dragged and thrown. `look` is
+/// asked for every picture: parameters may have changed.
+void use_space_view(Demo& demo, const std::function<BallInSpace(const Simulation&)>& look);
+
+/// The demo of a scene with one ball in space, above a floor or a plane. `look` says what is not in
+/// the scene.
+template <class Scene, class Phases>
+Demo space_demo(const BallInSpace& look = {}) {
+  using Its = OneBallRun<Scene, Phases>;
+  Demo demo;
+  demo.make = [] { return std::make_unique<Its>(); };
+  use_space_view(demo, [look](const Simulation& simulation) {
+    const Scene scene = run_as<Its>(simulation).scene();
+    BallInSpace ball = look;
+    ball.radius = scene.radius;
+    if constexpr (requires { scene.floor; }) ball.has_plane = scene.floor;
+    if constexpr (requires { scene.plane(); }) ball.plane = scene.plane();
+    ball.forces = [scene](double t, const State<Eigen::Vector3d>& state) {
+      return forces_of(scene, t, state);
+    };
+    return ball;
+  });
+  demo.is_over = [](const Player& player) {  // without a floor it falls for ever
+    if constexpr (requires(const Scene& scene) { scene.floor; }) {
+      const bool falls = !run_as<Its>(player.simulation()).scene().floor;
+      return falls && state_in<Eigen::Vector3d>(player.shown_values()).position.y() < -3;
+    }
+    return false;
+  };
+  return demo;
+}
 
 }  // namespace bounce

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "physics/closed_form.hpp"
-#include "physics/event_driven.hpp"
+#include "physics/events/closed_form.hpp"
+#include "physics/events/event_driven.hpp"
 
 namespace bounce {
 

@@ -10,8 +10,13 @@ namespace bounce {
 // want plain numbers. These few functions see both kinds of position as a row of numbers, so that
 // what is written once serves all stages, and stages 1 to 3 need no Eigen.
 
+/// What a position can be: a number, an Eigen vector, or a matrix with a column for each ball.
+template <class Any>
+concept VectorOrNumber = std::is_same_v < std::remove_const_t<Any>,
+double > || requires(const Any& any) { any.data(), any.cols(); };
+
 /// The numbers that `vector` is made of; through them it can be read and changed.
-template <class Vector>
+template <VectorOrNumber Vector>
 auto components(Vector& vector) {
   using Number = std::conditional_t<std::is_const_v<Vector>, const double, double>;
   if constexpr (std::is_same_v<std::remove_const_t<Vector>, double>) {
@@ -39,6 +44,15 @@ double distance_between(const Vector& a, const Vector& b) {
   } else {
     return (a - b).norm();
   }
+}
+
+/// The same for the ball that is furthest off, where there are many: a column for each.
+template <class Vector>
+double largest_distance(const Vector& a, const Vector& b) {
+  if constexpr (requires { a.colwise(); }) {
+    if constexpr (Vector::ColsAtCompileTime != 1) return (a - b).colwise().norm().maxCoeff();
+  }
+  return distance_between(a, b);
 }
 
 /// No component is infinite or "not a number".

@@ -21,7 +21,7 @@ constexpr double without_bounces = 2;  // simulated seconds
 
 std::string setting_of(const Simulation& simulation) {
   const std::unique_ptr<Simulation> copy = simulation.clone();  // parameters() may change it
-  std::string all = copy->stage_options();
+  std::string all = copy->traits().command;
   for (const Parameter& parameter : copy->parameters()) {
     all += " " + parameter.name + "=" + parameter.text();
   }
@@ -72,7 +72,7 @@ void ErrorChart::start_anew(const Simulation& simulation) {
   try {
     duration_ = without_bounces;
     const std::unique_ptr<Simulation> first = start_->clone();
-    const Method by_events = offers_exact() ? Method::exact : Method::reference;
+    const Method by_events = offers_exact() ? methods::exact : methods::reference;
     if (offers(by_events)) {
       first->use_method(by_events);
       first->restart();
@@ -99,7 +99,7 @@ void ErrorChart::choose_steps() {
   double dt = round_step(contact ? std::numbers::pi / contact->omega0 / 3 : duration_ / 20);
   for (int i = 0; i < steps_per_method && is_affordable(dt); ++i, dt = round_step(dt / 2.5)) {
     for (const Method method : start_->methods()) {
-      if (!goes_by_events(method)) others_.push_back({method, dt});
+      if (!method.goes_by_events) others_.push_back({method, dt});
     }
   }
   waiting_.assign(others_.begin(), others_.end());
@@ -133,7 +133,7 @@ void ErrorChart::begin_next() {
 
 /// Whether the simulation's own choice is still to be run: it is none of the others, and it can be.
 bool ErrorChart::wants_own() const {
-  if (!start_ || !trouble_.empty() || !now_ || own_ || goes_by_events(now_->method)) return false;
+  if (!start_ || !trouble_.empty() || !now_ || own_ || now_->method.goes_by_events) return false;
   const bool is_other = std::find(others_.begin(), others_.end(), *now_) != others_.end();
   return !is_other && is_affordable(now_->dt);
 }
@@ -156,7 +156,7 @@ void ErrorChart::next_sample(Run& run) {
 }
 
 void ErrorChart::finish(const Run& run) {
-  const long long calls = run.simulation->steps() * force_evaluations_per_step(run.choice.method) +
+  const long long calls = run.simulation->steps() * run.choice.method.evaluations +
                           run.simulation->counted_force_evaluations();
   const Dot dot{run.choice.method, run.choice.dt,
                 static_cast<double>(calls) / run.simulation->time(), run.error};

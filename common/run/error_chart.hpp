@@ -33,7 +33,7 @@ class ErrorChart {
   /// What the simulation's own method and time step give; nothing while that is not known.
   std::optional<Dot> now() const;
   double duration() const { return duration_; }  // of each run [s]
-  bool offers_exact() const { return offers(Method::exact); }
+  bool offers_exact() const { return offers(methods::exact); }
   /// Not empty when there is nothing to compare with: a sentence for the screen.
   const std::string& trouble() const { return trouble_; }
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <optional>
 
-#include "physics/event_driven.hpp"
+#include "physics/events/event_driven.hpp"
 #include "physics/stability.hpp"
 #include "run/interrupt.hpp"
 #include "run/output_file.hpp"
@@ -69,7 +69,7 @@ class RowTimes {
     }
     if (n_++ == 0) return simulation.time();
     if (simulation.time() >= end) return std::nullopt;
-    if (goes_by_events(simulation.method())) return std::min(simulation.next_event(), end);
+    if (simulation.method().goes_by_events) return std::min(simulation.next_event(), end);
     const double t = simulation.time_of_next_step();
     return t > end - 1e-6 * simulation.dt() ? end : t;
   }
@@ -93,14 +93,14 @@ std::string summary(const StageName& stage, Simulation& simulation, double start
     line += " " + name + "=" + to_rounded_text(value, 4);
   };
   const long long steps = simulation.steps() - steps_at_start;
-  if (!goes_by_events(simulation.method())) line += " dt=" + to_text(simulation.dt());
-  if (simulation.method() == Method::reference) {
+  if (!simulation.method().goes_by_events) line += " dt=" + to_text(simulation.dt());
+  if (simulation.method() == methods::reference) {
     line += " tolerance=" + to_text(simulation.tolerance());
   }
   say("simulated_s", simulation.time() - start);
   say("wall_s", wall);
   line += " steps=" + std::to_string(steps);
-  const int each = force_evaluations_per_step(simulation.method());
+  const int each = simulation.method().evaluations;
   const long long evaluations = steps * each + simulation.counted_force_evaluations();
   line += " force_evaluations=" + std::to_string(evaluations);
   if (steps > 0) {
@@ -110,14 +110,14 @@ std::string summary(const StageName& stage, Simulation& simulation, double start
     if (balls > 1) say("ns_per_step_and_ball", ns / balls);
   }
   // Against the exact solution's energy, so that what the damper takes is no drift.
-  const double reference = simulation.exact_energy().value_or(energy_at_start);
+  const double reference = simulation.energy_account().exact.value_or(energy_at_start);
   const double scale = std::abs(energy_at_start) > 0 ? std::abs(energy_at_start) : 1;
   say("energy_drift", (simulation.energy().total() - reference) / scale);
   if (const std::optional<StateError> error = simulation.error()) {
     say("position_error_m", error->position);
     say("velocity_error_m_per_s", error->velocity);
   }
-  const std::string more = simulation.summary();
+  const std::string more = simulation.traits().summary;
   if (!more.empty()) line += " " + more;
   return interrupted() ? line + " interrupted=yes" : line;
 }
@@ -176,8 +176,8 @@ int run_headless(const StageName& stage, Simulation& simulation, const Options& 
 }
 
 double longest_seeing_step(const Simulation& simulation) {
-  const double rate = simulation.swing_rate();
-  const bool steps = !goes_by_events(simulation.method());
+  const double rate = simulation.traits().swing_rate;
+  const bool steps = !simulation.method().goes_by_events;
   return rate > 0 && steps ? std::numbers::pi / 2 / rate : std::numeric_limits<double>::infinity();
 }
 
@@ -188,8 +188,8 @@ std::string step_warning(const Simulation& simulation) {
            " s";
   }
   const std::optional<ContactNumbers> contact = simulation.contact();
-  if (!contact || goes_by_events(simulation.method()) || simulation.cuts_steps()) return "";
-  const double limit = largest_stable_step(simulation.method(), contact->omega0, contact->zeta);
+  if (!contact || simulation.method().goes_by_events || simulation.traits().cuts_steps) return "";
+  const double limit = simulation.method().largest_stable_step(contact->omega0, contact->zeta);
   constexpr double wrong = 0.1;  // of the restitution: from here on it can be seen
   const double right_step = restitution_step(contact->omega0, contact->zeta, wrong);
   if (simulation.dt() <= std::min(limit, right_step)) return "";

@@ -128,7 +128,7 @@ void set_parameters(const std::vector<std::string>& settings, Simulation& simula
 }
 
 void apply_stage_options(const std::vector<StageOption>& of_stage, const Words& words,
-                         const Options& options, Simulation& simulation) {
+                         const Options& options, std::unique_ptr<Simulation>& simulation) {
   for (const StageOption& option : of_stage) {
     const auto given = options.of_stage.find(option.name);
     if (given == options.of_stage.end() || !option.apply) continue;
@@ -182,7 +182,7 @@ void read_times(const Words& words, Options& options, double start) {
 }
 
 void check_size(const Options& options, const Simulation& simulation) {
-  const bool stepping = !goes_by_events(simulation.method());
+  const bool stepping = !simulation.method().goes_by_events;
   const double steps = options.duration / simulation.dt();
   if (stepping && steps > most_steps) {
     throw BadInput("--dt " + to_text(simulation.dt()) + " with --duration " +
@@ -191,7 +191,7 @@ void check_size(const Options& options, const Simulation& simulation) {
   }
   if (const double seeing = longest_seeing_step(simulation); simulation.dt() > seeing) {
     throw BadInput("--dt " + to_text(simulation.dt()) +
-                   " with angular_frequency = " + to_text(simulation.swing_rate()) +
+                   " with angular_frequency = " + to_text(simulation.traits().swing_rate) +
                    " is not allowed: a step would not see the floor swing, it must be at most " +
                    to_rounded_text(seeing) + " s (a quarter of a swing)");
   }
@@ -209,8 +209,22 @@ void check_size(const Options& options, const Simulation& simulation) {
 
 }  // namespace
 
+void apply_saved_options(const std::string& path, const std::vector<StageOption>& of_stage,
+                         std::unique_ptr<Simulation>& simulation) {
+  for (const auto& [name, value] : saved_options(path)) {
+    for (const StageOption& option : of_stage) {
+      if (!option.is_saved || option.name != "--" + name) continue;
+      try {
+        option.apply(simulation, value);
+      } catch (const BadInput& error) {
+        throw BadInput("--load '" + path + "' is not allowed: it was saved with " + error.what());
+      }
+    }
+  }
+}
+
 bool parse_command_line(int argc, const char* const* argv, const StageName& stage,
-                        Simulation& simulation, Options& options,
+                        std::unique_ptr<Simulation>& chosen, Options& options,
                         const std::vector<StageOption>& of_stage) {
   CLI::App app(stage.about, stage.name);
   Words words;
@@ -241,12 +255,20 @@ bool parse_command_line(int argc, const char* const* argv, const StageName& stag
     }
   }
   if (list) {
-    answer("--list", list_text(stage, simulation));
+    answer("--list", list_text(stage, *chosen));
     return false;
   }
+  const bool sets = words.method || words.dt || words.tolerance || !words.set.empty();
+  if (!options.load.empty() && sets) {
+    throw BadInput(
+        "--load brings its own method, time step and parameters: leave out --method, "
+        "--dt, --tolerance and --set");
+  }
+  apply_stage_options(of_stage, words, options, chosen);
+  if (!options.load.empty()) apply_saved_options(options.load, of_stage, chosen);
+  Simulation& simulation = *chosen;
   if (words.seed) options.seed = seed_from(*words.seed);
   simulation.use_seed(options.seed);
-  apply_stage_options(of_stage, words, options, simulation);
   set_parameters(words.set, simulation);
   if (words.method) {
     simulation.use_method(find_method(*words.method, simulation.methods()));
@@ -257,11 +279,6 @@ bool parse_command_line(int argc, const char* const* argv, const StageName& stag
   }
   simulation.restart();
   if (!options.load.empty()) {
-    if (words.method || words.dt || words.tolerance || !words.set.empty()) {
-      throw BadInput(
-          "--load brings its own method, time step and parameters: leave out --method, "
-          "--dt, --tolerance and --set");
-    }
     load_state(options.load, stage, simulation);
   }
   for (const StageOption& option : of_stage) {
@@ -271,7 +288,7 @@ bool parse_command_line(int argc, const char* const* argv, const StageName& stag
       throw BadInput("--load brings its own state: leave out " + option.name);
     option.go_on(simulation, given->second);
   }
-  simulation.check_method();
+  if (const std::string why = simulation.traits().refusal; !why.empty()) throw BadInput(why);
   read_times(words, options, simulation.time());
   check_size(options, simulation);
   options.headless |= !options.csv.empty() || !options.screenshot.empty() ||
@@ -281,7 +298,7 @@ bool parse_command_line(int argc, const char* const* argv, const StageName& stag
 
 std::string list_text(const StageName& stage, Simulation& fresh) {
   std::string text = stage.name + ": " + stage.about + "\n\nmethods: " + names_of(fresh.methods()) +
-                     " (default: " + name_of(Method::semi_implicit_euler) + ")\n\n";
+                     " (default: " + name_of(methods::semi_implicit_euler) + ")\n\n";
   using Row = std::array<std::string, 5>;
   std::vector<Row> rows{{"parameter", "unit", "default", "valid", "meaning"}};
   for (const Parameter& parameter : fresh.parameters()) {
@@ -315,7 +332,7 @@ std::string command_for(const StageName& stage, Simulation& now, Simulation& fre
     command += " --set " + values[i].name + "=" + values[i].text();
     if (values[i].chooses_defaults) defaults[i].set(values[i].text());
   }
-  return command + now.stage_options();
+  return command + now.traits().command;
 }
 
 }  // namespace bounce

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,11 +21,13 @@ struct StageOption {
   std::string name;     // "--balls"
   std::string value;    // what follows it, for --help: "FILE"
   std::string meaning;  // one line, for --help
-  /// Called with the text, before the parameters are set; throws BadInput. May be empty.
-  std::function<void(Simulation&, const std::string& text)> apply = {};
+  /// Called with the text, before the parameters are set; throws BadInput. It may put another
+  /// simulation in the place of this one. May be empty.
+  std::function<void(std::unique_ptr<Simulation>&, const std::string& text)> apply = {};
   std::vector<std::string> replaces = {};  // parameters that cannot be set beside it
   /// Called when all is set and the run stands at its start, for what goes on from somewhere else.
   std::function<void(Simulation&, const std::string& text)> go_on = {};
+  bool is_saved = false;  // `--save` keeps it, and `--load` applies it
 };
 
 /// What the user asked for on the command line. Parameters, method and time step are not here: they
@@ -44,8 +47,13 @@ struct Options {
 /// question was answered on standard output (`--list`, `--help`) and there is nothing to run.
 /// Throws BadInput.
 bool parse_command_line(int argc, const char* const* argv, const StageName& stage,
-                        Simulation& simulation, Options& options,
+                        std::unique_ptr<Simulation>& simulation, Options& options,
                         const std::vector<StageOption>& of_stage = {});
+
+/// A saved run is of the kind that it was: applies what it has of the stage's own options. Throws
+/// BadInput.
+void apply_saved_options(const std::string& path, const std::vector<StageOption>& of_stage,
+                         std::unique_ptr<Simulation>& simulation);
 
 /// What `--list` prints: the methods, and every parameter with unit, default, valid values,
 /// meaning.

@@ -161,6 +161,9 @@ void save_state(const std::string& path, const StageName& stage, Simulation& sim
   std::string text = std::string(first_words) + std::to_string(version) + "\n";
   text += "stage " + stage.name + "\n";
   text += "method " + name_of(simulation.method()) + "\n";
+  for (const auto& [option, value] : simulation.traits().saved_options) {
+    text += "option." + option + " " + value + "\n";
+  }
   for (const Parameter& parameter : simulation.parameters()) {
     text += "set." + parameter.name + " " + parameter.text() + "\n";
   }
@@ -183,6 +186,16 @@ void save_state(const std::string& path, const StageName& stage, Simulation& sim
   OutputFile file("--save", path);
   file.write(text);
   file.finish();
+}
+
+std::map<std::string, std::string> saved_options(const std::string& path) {
+  const std::string text = read_text(path);
+  std::string_view body = checked(path, text);
+  std::map<std::string, std::string> options;
+  for (const auto& [name, value] : take_lines(body)) {
+    if (name.rfind("option.", 0) == 0) options[name.substr(7)] = value;
+  }
+  return options;
 }
 
 void load_state(const std::string& path, const StageName& stage, Simulation& simulation) {
@@ -210,13 +223,11 @@ void load_state(const std::string& path, const StageName& stage, Simulation& sim
 
   using Of = Simulation;
   const double dt = number_of(path, lines, "dt", Of::valid_dt);
-  Simulation::Memory memory{number_of(path, lines, "time", Of::valid_time),
-                            dt,
+  Simulation::Memory memory{{number_of(path, lines, "time", Of::valid_time), dt,
+                             number_of(path, lines, "grid_start", Of::valid_time),
+                             number_of(path, lines, "into_step", {0, dt}),
+                             count_of(path, lines, "grid_steps"), count_of(path, lines, "steps")},
                             number_of(path, lines, "tolerance", Of::valid_tolerance),
-                            number_of(path, lines, "grid_start", Of::valid_time),
-                            number_of(path, lines, "into_step", {0, dt}),
-                            count_of(path, lines, "grid_steps"),
-                            count_of(path, lines, "steps"),
                             numbers_from(path, lines, body)};
   try {
     simulation.use_method(find_method(lines.at("method"), simulation.methods()));

@@ -4,11 +4,15 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "physics/energy.hpp"
 #include "physics/parameters.hpp"
+#include "run/energy_book.hpp"
 #include "run/methods.hpp"
+#include "run/step_clock.hpp"
 
 namespace bounce {
 
@@ -36,9 +40,31 @@ struct StateError {
   double velocity;
 };
 
+/// Energy since the last restart or change of parameters [J]. Whatever is not here now and was not
+/// taken by the damper is the method's error.
+struct EnergyAccount {
+  double before;                     // at the start, and what a moving floor or racket gave since
+  double lost;                       // to the damper; 0 while no book is kept
+  std::optional<double> exact = {};  // of the exact solution, now; nothing where there is none
+};
+
+/// What a simulation is like, as plain data. Most have the defaults.
+struct Traits {
+  std::string_view columns;  // of the trace, after `t`, separated by commas
+  std::optional<ContactNumbers> contact = {};
+  std::size_t balls = 1;       // rows of the trace at one time
+  double swing_rate = 0;       // rad/s, of something that swings by itself, such as a floor
+  bool cuts_steps = false;     // at contacts that they are too long for: then none is too long
+  double pieces_per_step = 1;  // into how many a step may then be cut: what it can cost, in steps
+  std::string refusal = {};    // why the chosen method cannot serve this scene; empty: it can
+  std::string summary = {};    // more words for the summary line, "name=value"
+  std::string command = {};    // words, besides parameters, of the command that makes such a run
+  std::vector<std::pair<std::string, std::string>> saved_options = {};  // StageOption::is_saved
+};
+
 /// A scene that runs: the scene's parameters, the state, the method and the clock. Command line,
-/// headless run and window know stages through this class only; SceneSimulation
-/// (scene_simulation.hpp) makes one from a scene.
+/// headless run and window know stages through this class only; RunOf (run.hpp) makes one from a
+/// world.
 class Simulation {
  public:
   virtual ~Simulation() = default;
@@ -47,42 +73,35 @@ class Simulation {
   // ---- What it is
   virtual std::vector<Parameter> parameters() = 0;  // they refer into this object
   virtual std::vector<Method> methods() const = 0;
-  /// Throws BadInput where the chosen method cannot serve this scene.
-  virtual void check_method() const {}
-  virtual std::vector<std::string> columns() const = 0;  // of the trace, after `t`
-  virtual std::optional<ContactNumbers> contact() const = 0;
-  /// How fast something swings by itself [rad/s], whatever the contact: a floor. 0: nothing does.
-  virtual double swing_rate() const { return 0; }
+  virtual Traits traits() const = 0;
+  std::vector<std::string> columns() const { return split(traits().columns); }
+  std::optional<ContactNumbers> contact() const { return traits().contact; }
+  std::size_t balls() const { return traits().balls; }
 
   // ---- Where it stands
-  double time() const { return time_; }            // [s]
-  double dt() const { return dt_; }                // [s]
+  double time() const { return clock_.time(); }    // [s]
+  double dt() const { return clock_.dt(); }        // [s]
   double tolerance() const { return tolerance_; }  // of `reference`
-  Method method() const { return method_; }
-  long long steps() const { return steps_; }  // since the start, shortened ones too
+  std::uint64_t seed() const { return seed_; }     // of what a start has of chance in it
+  const Method& method() const { return method_; }
+  long long steps() const { return clock_.steps(); }  // since the start, cut ones too
 
-  /// Force evaluations besides the fixed number a step (methods.hpp): where events are located.
-  virtual long long counted_force_evaluations() const { return 0; }
   virtual std::vector<double> values() const = 0;  // one trace row (or more) without `t`
-  virtual std::vector<double> exact_values(double t) const = 0;  // the exact solution's; or empty
-  virtual Energy energy() const = 0;                             // [J]
-  virtual std::optional<StateError> error() const = 0;           // against the exact solution, now
+  virtual Energy energy() const = 0;               // [J]
+  virtual EnergyAccount energy_account() const = 0;
+  /// Force evaluations besides the fixed number a step (Method): where events are located.
+  virtual long long counted_force_evaluations() const = 0;
 
-  virtual std::size_t balls() const { return 1; }  // rows of the trace at one time
-  /// Whether steps that are too long for a contact are cut there: then no step is too long.
-  virtual bool cuts_steps() const { return false; }
-  /// Into how many pieces a step may then be cut: what it can cost, in steps.
-  virtual double pieces_per_step() const { return 1; }
-  /// More words for the summary line, "name=value".
-  virtual std::string summary() const { return ""; }
-  /// The words on the command line, besides parameters, that make a run like this one.
-  virtual std::string stage_options() const { return ""; }
+  // ---- Against the exact solution, from the last start or change of parameters on; or nothing
+  virtual std::vector<double> exact_values(double t) const = 0;
+  virtual std::optional<StateError> error() const = 0;  // now
 
   // ---- Setting it up. Method and time step may change in the middle of a run.
-  virtual void use_seed(std::uint64_t /*seed*/) {}  // where a start has chance in it
-  void use_method(Method method);
+  void use_method(const Method& method);
   void use_dt(double dt);
   void use_tolerance(double tolerance);
+  void use_seed(std::uint64_t seed) { seed_ = seed; }
+  void keep_energy_book(bool keep) { book_.is_kept = keep; }
   void restart();  // from t = 0 and the scene's start
 
   /// Puts the ball somewhere else in the middle of a run: a trace row's values.
@@ -92,33 +111,21 @@ class Simulation {
   /// what is compared (exact solution, energy before) starts anew from here.
   virtual void parameters_changed() = 0;
 
-  // ---- Moving. Steps end at whole multiples of dt, and at every time that is asked for: a step is
-  // shortened to land there, and its rest follows. Throws NonFinite, and leaves the last good
-  // state.
+  // ---- Moving. Throws NonFinite, and leaves the last good state.
   void advance_to(double t);
   /// The same in portions of about a second at most, so that one can be heard in between. Returns
   /// whether it has arrived.
   bool advance_some(double t);
   void advance_one_step() { advance_to(time_of_next_step()); }
-  double time_of_next_step() const;
+  double time_of_next_step() const { return clock_.time_of_next_step(); }
 
   /// The next touch or lift-off [s], for the methods that go by events; else infinity.
   virtual double next_event() const = 0;
 
-  // ---- Energy since the last restart or change of parameters [J]. Whatever is not here now and
-  // was not taken by the damper is the method's error. On a moving floor, which gives and takes all
-  // the time, the book opens anew with every touch. Keeping the damper's book costs as much as a
-  // step, so that only the window does it.
-  virtual void keep_energy_book(bool keep) = 0;
-  virtual double energy_before() const = 0;                // and what a moving floor gave since
-  virtual double energy_lost() const = 0;                  // to the damper; 0 while no book is kept
-  virtual std::optional<double> exact_energy() const = 0;  // of the exact solution, now
-
   // ---- For `--save` and `--load`: all that the next step depends on, as plain numbers.
-  struct Memory {
-    double time, dt, tolerance, grid_start, into_step;
-    long long grid_steps, steps;
-    std::vector<double> numbers;  // state and the method's own memory
+  struct Memory : StepClock::Memory {
+    double tolerance;
+    std::vector<double> numbers;  // state and the method's own memory (remembered.hpp)
   };
   // What its clock may say; into_step: from 0 to dt. It has gone on from a start at 0 by steps.
   static constexpr Range valid_dt{1e-15, 1e15}, valid_tolerance{1e-15, 1}, valid_time{0, 1e15},
@@ -126,7 +133,7 @@ class Simulation {
   // No run that begins with allowed parameters has such numbers, unless it explodes; beyond them
   // squares and products overflow, and a step may take for ever.
   static constexpr Range valid_number{-1e100, 1e100};
-  Memory memory() const;
+  Memory memory() const { return {clock_.memory(), tolerance_, numbers()}; }
   void recall(const Memory& memory);  // throws BadInput when it does not fit
 
  protected:
@@ -136,27 +143,44 @@ class Simulation {
 
   virtual void reset_state() = 0;        // to the scene's start
   virtual void compare_from_here() = 0;  // exact solution and energy book start anew
-  virtual void take_steps(long long count, double t, double dt) = 0;
-  /// Passes at most so many events. Returns the time that it has reached.
+  /// Returns whether the state is still made of finite numbers.
+  virtual bool take_steps(long long count, double t, double dt) = 0;
+  /// Passes at most so many events. Returns the time that it has reached; throws NonFinite.
   virtual double go_by_events_towards(double t, long long most_events) = 0;
-  virtual bool is_finite() const = 0;
   virtual std::vector<double> numbers() const = 0;
-  virtual bool recall_numbers(const std::vector<double>& numbers) = 0;
+  /// Returns what does not fit, or nothing.
+  virtual std::string recall_numbers(const std::vector<double>& numbers) = 0;
+
+  EnergyBook book_;
 
  private:
   void start_grid_here();
-  void take_steps_to(double t);
   void take_checked_steps(long long count, double t, double dt);
-  double grid_time(long long n) const { return grid_start_ + static_cast<double>(n) * dt_; }
 
-  Method method_ = Method::semi_implicit_euler;
-  double dt_ = 1e-3;
+  Method method_ = methods::semi_implicit_euler;
   double tolerance_ = 1e-12;
-  double time_ = 0;
-  double grid_start_ = 0;     // steps end at grid_start_ + n dt_
-  long long grid_steps_ = 0;  // n of the last grid point passed
-  double into_step_ = 0;      // how far beyond it, when a step was shortened [s]
-  long long steps_ = 0;
+  std::uint64_t seed_ = 1;
+  StepClock clock_;
 };
+
+/// A run under its own type, for whoever made it: a demo's picture and dials. That it is of this
+/// type is checked; std::bad_cast tells a demo that was put together from the parts of two.
+template <class Its>
+const Its& run_as(const Simulation& simulation) {
+  return dynamic_cast<const Its&>(simulation);
+}
+template <class Its>
+Its& run_as(Simulation& simulation) {
+  return dynamic_cast<Its&>(simulation);
+}
+/// The same where there may be another one: then nullptr.
+template <class Its>
+const Its* run_if(const Simulation& simulation) {
+  return dynamic_cast<const Its*>(&simulation);
+}
+template <class Its>
+Its* run_if(Simulation& simulation) {
+  return dynamic_cast<Its*>(&simulation);
+}
 
 }  // namespace bounce

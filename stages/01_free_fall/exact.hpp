@@ -1,6 +1,6 @@
 #pragma once
 #include "01_free_fall/free_fall.hpp"
-#include "physics/closed_form.hpp"
+#include "physics/events/closed_form.hpp"
 
 namespace bounce {
 

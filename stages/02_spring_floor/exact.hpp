@@ -1,6 +1,6 @@
 #pragma once
 #include "02_spring_floor/spring_floor.hpp"
-#include "physics/closed_form.hpp"
+#include "physics/events/closed_form.hpp"
 
 namespace bounce {
 

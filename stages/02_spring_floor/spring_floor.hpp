@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <vector>
 
 #include "physics/energy.hpp"
@@ -30,10 +31,17 @@ struct SpringFloor {
 
   double acceleration(double t, const State<double>& state) const { return force(t, state) / mass; }
 
+  double overlap(const State<double>& state) const {
+    return std::max(0.0, radius - state.position);
+  }
+  double spring_force(double /*t*/, const State<double>& state) const {
+    return stiffness * overlap(state);
+  }
+
   Energy energy(const State<double>& state) const {
     return {kinetic_energy(mass, state.velocity),
             gravitational_energy(mass, gravity, state.position),
-            spring_energy(stiffness, radius - state.position)};
+            spring_energy(stiffness, overlap(state))};
   }
 
   std::vector<Parameter> parameters() {

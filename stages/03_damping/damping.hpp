@@ -36,17 +36,17 @@ struct Damping {
 
   double acceleration(double t, const State<double>& state) const { return force(t, state) / mass; }
 
-  /// The part of the force that is neither gravity nor spring. In a push-only contact that has let
-  /// go it takes all of the spring's force away.
-  double damper_force(double t, const State<double>& state) const {
-    if (!(state.position < radius)) return 0;
-    return force(t, state) + mass * gravity - stiffness * (radius - state.position);
+  double overlap(const State<double>& state) const {
+    return std::max(0.0, radius - state.position);
+  }
+  double spring_force(double /*t*/, const State<double>& state) const {
+    return stiffness * overlap(state);
   }
 
   Energy energy(const State<double>& state) const {
     return {kinetic_energy(mass, state.velocity),
             gravitational_energy(mass, gravity, state.position),
-            spring_energy(stiffness, radius - state.position)};
+            spring_energy(stiffness, overlap(state))};
   }
 
   std::vector<Parameter> parameters() {

@@ -1,6 +1,6 @@
 #pragma once
 #include "03_damping/damping.hpp"
-#include "physics/closed_form.hpp"
+#include "physics/events/closed_form.hpp"
 
 namespace bounce {
 

@@ -3,8 +3,8 @@
 #include <array>
 
 #include "04_three_dimensions/three_dimensions.hpp"
-#include "physics/closed_form.hpp"
-#include "physics/event_driven_in_space.hpp"
+#include "physics/events/closed_form.hpp"
+#include "physics/events/event_driven_in_space.hpp"
 
 namespace bounce {
 

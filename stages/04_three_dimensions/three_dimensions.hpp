@@ -44,16 +44,11 @@ struct ThreeDimensions {
   }
   // [acceleration]
 
-  /// The part of the force that is neither gravity nor spring.
-  Eigen::Vector3d damper_force(double t, const State<Eigen::Vector3d>& state) const {
-    const double push = force(t, state).y() + mass * gravity;
-    return {0, push - spring_force(state), 0};
-  }
-  double spring_force(const State<Eigen::Vector3d>& state) const {
-    return stiffness * overlap(state);
-  }
   double overlap(const State<Eigen::Vector3d>& state) const {
     return floor ? std::max(0.0, radius - state.position.y()) : 0;
+  }
+  Eigen::Vector3d spring_force(double /*t*/, const State<Eigen::Vector3d>& state) const {
+    return {0, stiffness * overlap(state), 0};
   }
 
   Energy energy(const State<Eigen::Vector3d>& state) const {

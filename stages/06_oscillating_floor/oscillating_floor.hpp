@@ -79,19 +79,8 @@ struct OscillatingFloor {
     return touches(y, floor) ? radius - y + floor : 0;
   }
 
-  /// The part of the force that is neither gravity nor spring.
-  double damper_force(double t, const State<double>& state) const {
-    if (!touches(state.position, floor_height(t))) return 0;
-    return force(t, state) + mass * gravity - stiffness * compression(t, state.position);
-  }
-
-  // Power [W]. The contact is squeezed at the relative velocity, whatever its law says: what the
-  // damper takes there is lost, and the floor gives the contact force times its own speed.
-  double damper_power(double t, const State<double>& state) const {
-    return -damper_force(t, state) * (state.velocity - floor_speed(t));
-  }
-  double floor_power(double t, const State<double>& state) const {
-    return (force(t, state) + mass * gravity) * floor_speed(t);
+  double spring_force(double t, const State<double>& state) const {
+    return stiffness * compression(t, state.position);
   }
 
   Energy energy(double t, const State<double>& state) const {

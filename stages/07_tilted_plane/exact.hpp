@@ -3,8 +3,8 @@
 #include <array>
 
 #include "07_tilted_plane/tilted_plane.hpp"
-#include "physics/closed_form.hpp"
-#include "physics/event_driven_in_space.hpp"
+#include "physics/events/closed_form.hpp"
+#include "physics/events/event_driven_in_space.hpp"
 
 namespace bounce {
 

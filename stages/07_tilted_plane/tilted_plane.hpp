@@ -51,16 +51,11 @@ struct TiltedPlane {
     return force(t, state) / mass;
   }
 
-  /// The part of the force that is neither gravity nor spring.
-  Eigen::Vector3d damper_force(double t, const State<Eigen::Vector3d>& state) const {
-    const Eigen::Vector3d weight(0, -mass * gravity, 0);
-    return force(t, state) - weight - spring_force(state);
-  }
-  Eigen::Vector3d spring_force(const State<Eigen::Vector3d>& state) const {
-    return stiffness * overlap(state) * plane().normal;
-  }
   double overlap(const State<Eigen::Vector3d>& state) const {
     return std::max(0.0, radius - plane().distance(state.position));
+  }
+  Eigen::Vector3d spring_force(double /*t*/, const State<Eigen::Vector3d>& state) const {
+    return stiffness * overlap(state) * plane().normal;
   }
 
   Energy energy(const State<Eigen::Vector3d>& state) const {

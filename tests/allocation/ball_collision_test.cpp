@@ -13,7 +13,7 @@
 
 #include "05_ball_collision/scenes/scenes.hpp"
 #include "many_balls/many_balls.hpp"
-#include "physics/integrators.hpp"
+#include "physics/methods/stepping_methods.hpp"
 
 using namespace bounce;
 

@@ -5,15 +5,15 @@
 #include <ctime>
 
 #include "05_ball_collision/picture/balls_picture.hpp"
-#include "05_ball_collision/run/balls_simulation.hpp"
+#include "05_ball_collision/run/balls_world.hpp"
 #include "app/window.hpp"
 
 using namespace bounce;
 
 namespace {
 
-std::unique_ptr<BallsSimulation> falling_balls(const std::string& count) {
-  auto balls = std::make_unique<BallsSimulation>();
+std::unique_ptr<BallsRun> falling_balls(const std::string& count) {
+  auto balls = std::make_unique<BallsRun>();
   find_parameter(balls->parameters(), "scene").set("drop");
   find_parameter(balls->parameters(), "count").set(count);
   balls->restart();
@@ -25,7 +25,7 @@ Demo balls_demo() {
   demo.stage = {"05_ball_collision", "test"};
   demo.question = "?";
   demo.sliders = {"scene", "gap", "count"};
-  demo.make = [] { return std::make_unique<BallsSimulation>(); };
+  demo.make = [] { return std::make_unique<BallsRun>(); };
   use_balls_picture(demo);
   return demo;
 }
@@ -103,8 +103,8 @@ TEST_CASE("balls that come too close together stop the window's run, with a sent
     row.balls.position.col(i) << 0.25 * i, 1, 0;
     row.balls.velocity.col(i) << -0.25 * i / 0.1, 0, 0;
   }
-  auto balls = std::make_unique<BallsSimulation>();
-  balls->use_balls(row, "--balls 'row'");
+  auto balls = std::make_unique<BallsRun>();
+  balls->world().use_balls(row, "--balls 'row'");
   balls->restart();
   const Demo demo = balls_demo();
   Window window(demo, std::move(balls), Options{}, false);

@@ -13,12 +13,12 @@ using namespace bounce;
 
 namespace {
 
-using Run = SceneSimulation<Damping, DampingExact>;
+using DampedRun = OneBallRun<Damping, DampingExact>;
 
 constexpr double frame = 1.0 / 60;
 
-Player player_with(double dt, Method method = Method::semi_implicit_euler) {
-  auto run = std::make_unique<Run>();
+Player player_with(double dt, Method method = methods::semi_implicit_euler) {
+  auto run = std::make_unique<DampedRun>();
   run->use_dt(dt);
   run->use_method(method);
   return Player(std::move(run));
@@ -35,7 +35,7 @@ TEST_CASE("the window's run is the headless run, to the bit, whatever the frames
     for (const double frame_time : {1.0 / 60, 1.0 / 144, 0.037}) {
       Player player = player_with(dt);
       for (int i = 0; i < 100; ++i) player.frame(frame_time);
-      Run headless;
+      DampedRun headless;
       headless.use_dt(dt);
       headless.advance_to(player.simulation().time());
       CAPTURE(dt);
@@ -65,7 +65,7 @@ TEST_CASE("where computing is slower than the clock, time runs slower, with the 
   };
   for (const Slow& slow : {Slow{1e-6, 1000}, Slow{1e-7, 1000}, Slow{1e-5, 417}}) {
     const double dt = slow.dt, steps = slow.steps;
-    auto run = std::make_unique<Run>();
+    auto run = std::make_unique<DampedRun>();
     run->use_dt(dt);
     double now = 0;
     Player player(std::move(run), [&now] { return now += 0.02; });  // a look takes all the budget
@@ -76,7 +76,7 @@ TEST_CASE("where computing is slower than the clock, time runs slower, with the 
     CHECK(player.shown_time() == doctest::Approx(player.simulation().time()).epsilon(1e-3));
     // A mean over half a second, which began at 1 two seconds ago: the rest of that is e^-4.
     CHECK(std::abs(player.pace() - steps * dt / frame) < 0.02);
-    Run headless;
+    DampedRun headless;
     headless.use_dt(dt);
     headless.advance_to(player.simulation().time());
     CHECK(player.simulation().values() == headless.values());
@@ -91,15 +91,15 @@ TEST_CASE("where computing is slower than the clock, time runs slower, with the 
 
 TEST_CASE("a computer that is fast enough plays at the pace of the clock") {
   double now = 0;
-  Player player(std::make_unique<Run>(), [&now] { return now += 1e-4; });
+  Player player(std::make_unique<DampedRun>(), [&now] { return now += 1e-4; });
   play(player, 1);
   CHECK(player.pace() == 1);
   CHECK(player.shown_time() == doctest::Approx(1).epsilon(1e-9));
 }
 
 TEST_CASE("one step forward and one back is where it was, to the bit") {
-  for (const Method method : {Method::explicit_euler, Method::semi_implicit_euler,
-                              Method::velocity_verlet, Method::rk4}) {
+  for (const Method method : {methods::explicit_euler, methods::semi_implicit_euler,
+                              methods::velocity_verlet, methods::rk4}) {
     Player player = player_with(3e-3, method);
     play(player, 0.45);  // into the contact
     player.paused = true;
@@ -118,7 +118,7 @@ TEST_CASE("one step forward and one back is where it was, to the bit") {
 TEST_CASE("going back by the scrub bar and playing on repeats the same run") {
   Player player = player_with(1e-3);
   play(player, 2);
-  Run headless;
+  DampedRun headless;
   player.go_back_to(0.9);
   CHECK(player.simulation().time() == doctest::Approx(0.9).epsilon(2e-3));
   CHECK(player.trace().back().t <= player.simulation().time());
@@ -140,7 +140,7 @@ TEST_CASE("the contact lens slows the clock in contact, and changes nothing in t
   // A contact of 32 ms is spread over about a second: 60 frames.
   CHECK(frames_in_contact > 50);
   CHECK(frames_in_contact < 75);
-  Run headless;
+  DampedRun headless;
   headless.use_dt(1e-4);
   headless.advance_to(player.simulation().time());
   CHECK(player.simulation().values() == headless.values());
@@ -165,7 +165,7 @@ TEST_CASE("the future is what then happens") {
   play(player, 0.3);
   const auto future = player.future(1);
   REQUIRE(!future.empty());
-  Run headless;
+  DampedRun headless;
   for (const TracePoint& point : future) {
     headless.advance_to(point.t);
     CHECK(headless.values() == point.values);
@@ -173,7 +173,7 @@ TEST_CASE("the future is what then happens") {
 }
 
 TEST_CASE("a run that explodes stops with a sentence and no NaN in sight") {
-  auto run = std::make_unique<Run>();
+  auto run = std::make_unique<DampedRun>();
   const test::WithoutTraps it_explodes;
   // c dt / m = 1e70: see the command line's test.
   find_parameter(run->parameters(), "damping").set("1e30");
@@ -181,7 +181,7 @@ TEST_CASE("a run that explodes stops with a sentence and no NaN in sight") {
   find_parameter(run->parameters(), "mass").set("1e-30");
   find_parameter(run->parameters(), "stiffness").set("1e30");
   find_parameter(run->parameters(), "position").set("0.05");
-  run->use_method(Method::rk4);
+  run->use_method(methods::rk4);
   run->use_dt(1e10);
   run->restart();
   Player player(std::move(run));
@@ -194,10 +194,10 @@ TEST_CASE("a run that explodes stops with a sentence and no NaN in sight") {
 }
 
 TEST_CASE("a parameter that is changed in the middle starts the comparison anew from there") {
-  Player player = player_with(1e-3, Method::rk4);
+  Player player = player_with(1e-3, methods::rk4);
   play(player, 0.44);  // in contact: the stored energy jumps with the stiffness
   player.change([](Simulation& s) { find_parameter(s.parameters(), "stiffness").set("40000"); });
-  CHECK(player.simulation().energy_before() == player.simulation().energy().total());
+  CHECK(player.simulation().energy_account().before == player.simulation().energy().total());
   CHECK(player.simulation().error()->position == 0);
   play(player, 0.3);
   CHECK(player.simulation().error()->position < 1e-2);

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "08_racket_game/run/racket_run.hpp"
+#include "08_racket_game/run/options.hpp"
 #include "app/player.hpp"
 #include "run_program.hpp"
 
@@ -31,7 +31,7 @@ TEST_CASE("the racket game draws itself, whoever plays") {
 }
 
 TEST_CASE("the racket game goes on by 0.1 s after a stall of 30 s, as if there had been none") {
-  RacketRun steady;
+  GameRun steady;
   steady.play_as(PlayerKind::autopilot);
   steady.use_seed(5);
   steady.restart();
@@ -44,7 +44,7 @@ TEST_CASE("the racket game goes on by 0.1 s after a stall of 30 s, as if there h
     CHECK(player.shown_time() - before <= 0.1 + 1e-9);
     CHECK(player.trouble().empty());
     // The same steps as in a run without a window: nothing was jumped over or caught up later.
-    const RacketRun& shown = static_cast<const RacketRun&>(player.simulation());
+    const GameRun& shown = run_as<GameRun>(player.simulation());
     steady.advance_to(shown.time());
     REQUIRE(shown.values() == steady.values());
     touches = shown.round().touches;
@@ -55,18 +55,18 @@ TEST_CASE("the racket game goes on by 0.1 s after a stall of 30 s, as if there h
 }
 
 TEST_CASE("after a stall the racket is where it could get in 0.1 s, not where the mouse is") {
-  RacketRun run;
+  GameRun run;
   run.play_as(PlayerKind::human);
   run.restart();
   Player player(run.clone());
   for (int frame = 0; frame < 20; ++frame) player.frame(1.0 / 60);
-  RacketRun& played = static_cast<RacketRun&>(player.simulation());
+  GameRun& played = run_as<GameRun>(player.simulation());
   const double before = played.disc().centre.x();
   Input far;  // the mouse moved on while the window hung
   far.x = 1.2;
   played.want(far);
   player.frame(30);
-  const double moved = static_cast<RacketRun&>(player.simulation()).disc().centre.x() - before;
+  const double moved = run_as<GameRun>(player.simulation()).disc().centre.x() - before;
   CHECK(moved > 0.01);
   CHECK(moved <= sideways.speed * 0.1);
 }

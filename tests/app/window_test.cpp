@@ -16,28 +16,21 @@ using namespace bounce;
 
 namespace {
 
-using Run = SceneSimulation<Damping, DampingExact>;
+using DampedRun = OneBallRun<Damping, DampingExact>;
 
 Demo demo() {
-  Demo demo;
+  Demo demo = side_demo<Damping, DampingExact>();
   demo.stage = {"03_damping", "test"};
   demo.title = "test";
   demo.question = "The first line of two,\nand the second";
   demo.sliders = {"damping", "stiffness", "contact"};
-  demo.make = [] { return std::make_unique<Run>(); };
-  use_side_view(demo, [](const Player& player) {
-    const Damping scene = static_cast<const Run&>(player.simulation()).scene();
-    return BallOnALine{.radius = scene.radius, .forces = [scene](double t, const State<double>& s) {
-                         return ForcesOnALine{-9.81, 0, scene.damper_force(t, s)};
-                       }};
-  });
   return demo;
 }
 
 struct Fixture {
   Demo shown = demo();
   Options options;
-  Window window{shown, std::make_unique<Run>(), options, false};
+  Window window{shown, std::make_unique<DampedRun>(), options, false};
 
   void frames(int count) {
     for (int i = 0; i < count; ++i) window.tick(1.0 / 60);
@@ -103,7 +96,7 @@ TEST_CASE_FIXTURE(Fixture, "a slider sets the parameter, and the future is drawn
   CHECK(!window.view().future.empty());
   CHECK(!window.view().earlier.empty());
   mouse(SDL_MOUSEBUTTONUP, layout::panel.x + 140, y);
-  const auto& run = static_cast<const Run&>(window.player().simulation());
+  const auto& run = static_cast<const DampedRun&>(window.player().simulation());
   CHECK(run.scene().damping > 100);
   CHECK(run.scene().damping < 200);
   frames(200);
@@ -138,7 +131,7 @@ TEST_CASE_FIXTURE(Fixture, "E shows speed against error, and a click on a dot ch
   const Simulation& now = window.player().simulation();
   int dots = 0;
   for (const ErrorChart::Dot& wanted : chart.dots()) {
-    if (wanted.method != Method::flight_rk4) continue;  // whose curve lies apart from the others
+    if (wanted.method != methods::flight_rk4) continue;  // whose curve lies apart from the others
     CAPTURE(wanted.dt);
     const Rect area = layout::chart;
     bool found = false;
@@ -158,14 +151,14 @@ TEST_CASE_FIXTURE(Fixture, "E shows speed against error, and a click on a dot ch
   }
   CHECK(dots == 6);
   // The name of the exact solution is the last one, and it has no steps.
-  for (float y = layout::chart.y; y < layout::chart.bottom() && now.method() != Method::exact;
+  for (float y = layout::chart.y; y < layout::chart.bottom() && now.method() != methods::exact;
        y += 5) {
     const auto at = error_chart_choice(layout::chart, chart, {layout::chart.x + 200, y});
-    if (!at || at->method != Method::exact) continue;
+    if (!at || at->method != methods::exact) continue;
     mouse(SDL_MOUSEBUTTONDOWN, layout::chart.x + 200, y);
     mouse(SDL_MOUSEBUTTONUP, layout::chart.x + 200, y);
   }
-  CHECK(now.method() == Method::exact);
+  CHECK(now.method() == methods::exact);
   press(SDLK_e);
   CHECK(!window.view().chart);
 }

@@ -17,8 +17,8 @@
 #include "04_three_dimensions/three_dimensions.hpp"
 #include "07_tilted_plane/exact.hpp"
 #include "docs/tables.hpp"
-#include "physics/event_driven.hpp"
-#include "physics/integrators.hpp"
+#include "physics/events/event_driven.hpp"
+#include "physics/methods/stepping_methods.hpp"
 #include "physics/stability.hpp"
 
 using namespace bounce;

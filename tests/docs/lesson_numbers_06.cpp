@@ -11,8 +11,8 @@
 
 #include "06_oscillating_floor/sweep/sweep.hpp"
 #include "docs/tables.hpp"
-#include "physics/event_driven.hpp"
-#include "physics/integrators.hpp"
+#include "physics/events/event_driven.hpp"
+#include "physics/methods/stepping_methods.hpp"
 
 using namespace bounce;
 

@@ -20,16 +20,16 @@ const std::vector<Stage>& all_stages() {
   static bool is_game = true;
   static InputRecord record;
   static const std::vector<Stage> all{
-      {{"01_free_fall", ""}, one<SceneSimulation<FreeFall, FreeFallExact>>},
-      {{"02_spring_floor", ""}, one<SceneSimulation<SpringFloor, SpringFloorExact>>},
-      {{"03_damping", ""}, one<SceneSimulation<Damping, DampingExact>>},
-      {{"04_three_dimensions", ""}, one<SceneSimulation<ThreeDimensions, ThreeDimensionsExact>>},
-      {{"05_ball_collision", ""}, one<BallsSimulation>, ball_collision_options()},
+      {{"01_free_fall", ""}, one<OneBallRun<FreeFall, FreeFallExact>>},
+      {{"02_spring_floor", ""}, one<OneBallRun<SpringFloor, SpringFloorExact>>},
+      {{"03_damping", ""}, one<OneBallRun<Damping, DampingExact>>},
+      {{"04_three_dimensions", ""}, one<OneBallRun<ThreeDimensions, ThreeDimensionsExact>>},
+      {{"05_ball_collision", ""}, one<BallsRun>, ball_collision_options()},
       {{"06_oscillating_floor", ""},
-       one<SceneSimulation<OscillatingFloor, OscillatingFloorExact>>,
+       one<OneBallRun<OscillatingFloor, OscillatingFloorExact>>,
        {{"--sweep", "NAME=FROM,TO,N", "read by the program itself", {}, {}, {}}}},
-      {{"07_tilted_plane", ""}, one<SceneSimulation<TiltedPlane, TiltedPlaneExact>>},
-      {{"08_racket_game", ""}, one<RacketRun>, racket_game_options(is_game, record)}};
+      {{"07_tilted_plane", ""}, one<OneBallRun<TiltedPlane, TiltedPlaneExact>>},
+      {{"08_racket_game", ""}, one<GameRun>, racket_game_options(is_game, record)}};
   return all;
 }
 
@@ -41,7 +41,7 @@ std::unique_ptr<Simulation> set_up(const Stage& stage, const std::string& comman
   std::vector<const char*> argv;
   for (const std::string& word : words) argv.push_back(word.c_str());
   std::unique_ptr<Simulation> simulation = stage.make();
-  parse_command_line(static_cast<int>(argv.size()), argv.data(), stage.name, *simulation, options,
+  parse_command_line(static_cast<int>(argv.size()), argv.data(), stage.name, simulation, options,
                      stage.options);
   return simulation;
 }

@@ -34,10 +34,10 @@ std::string refusal(const Stage& stage, const Line& line) {
   }
   std::vector<const char*> argv{stage.name.name.c_str()};
   for (const std::string& word : line.words) argv.push_back(word.c_str());
-  const std::unique_ptr<Simulation> simulation = stage.make();
+  std::unique_ptr<Simulation> simulation = stage.make();
   Options options;
   try {
-    parse_command_line(static_cast<int>(argv.size()), argv.data(), stage.name, *simulation, options,
+    parse_command_line(static_cast<int>(argv.size()), argv.data(), stage.name, simulation, options,
                        stage.options);
   } catch (const BadInput& error) {
     return std::string(error.what()) + "\n";

@@ -13,7 +13,7 @@
 #include <string>
 
 #include "05_ball_collision/ball_collision.hpp"
-#include "physics/integrators.hpp"
+#include "physics/methods/stepping_methods.hpp"
 #include "physics/stability.hpp"
 #include "run_program.hpp"
 
@@ -153,7 +153,8 @@ namespace {
 /// 1e5 balls in a row along x, `spacing` apart, that all would be at x = 0 after 10 ms. Runs them,
 /// with a trace, and says how long it took.
 test::Outcome run_row(double spacing, bool moves, double& seconds) {
-  const std::string file = std::string(BOUNCE_BIN_DIR) + "/crowd_of_balls.csv";
+  const std::string file =
+      std::string(BOUNCE_BIN_DIR) + "/crowd_of_balls_" + std::to_string(moves) + ".csv";
   {
     std::ofstream balls(file);
     balls << "mass,radius,x,y,z,vx,vy,vz\n";

@@ -114,8 +114,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const test::Stage& stage = test::all_stages()[data[0] % test::all_stages().size()];
   const std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
   std::ofstream(path, std::ios::binary) << test::with_checksum(text);
-  const std::unique_ptr<Simulation> simulation = stage.make(), again = stage.make();
+  std::unique_ptr<Simulation> simulation = stage.make(), again = stage.make();
   try {
+    apply_saved_options(path, stage.options, simulation);
     load_state(path, stage.name, *simulation);
   } catch (const BadInput&) {
     std::filesystem::remove(path);
@@ -126,6 +127,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!std::isfinite(number)) std::abort();
   }
   save_state(path, stage.name, *simulation);
+  apply_saved_options(path, stage.options, again);
   load_state(path, stage.name, *again);  // what we wrote, we must take: BadInput ends the run here
   if (again->memory().numbers != memory.numbers) std::abort();
   std::filesystem::remove(path);

@@ -14,8 +14,8 @@
 #include "02_spring_floor/spring_floor.hpp"
 #include "08_racket_game/racket_game.hpp"
 #include "08_racket_game/run/contact_steps.hpp"
-#include "physics/event_driven.hpp"
-#include "physics/integrators.hpp"
+#include "physics/events/event_driven.hpp"
+#include "physics/methods/stepping_methods.hpp"
 #include "speed_vs_error/results.hpp"
 
 using namespace bounce;

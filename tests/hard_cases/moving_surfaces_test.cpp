@@ -10,7 +10,7 @@
 
 #include "08_racket_game/racket_game.hpp"
 #include "08_racket_game/run/contact_steps.hpp"
-#include "physics/integrators.hpp"
+#include "physics/methods/stepping_methods.hpp"
 #include "run_program.hpp"
 
 using namespace bounce;

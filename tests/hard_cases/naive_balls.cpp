@@ -9,7 +9,7 @@
 
 #include "naive.hpp"
 #include "naive_heap.hpp"
-#include "physics/integrators.hpp"
+#include "physics/methods/stepping_methods.hpp"
 #include "physics/neighbour_grid.hpp"
 
 namespace bounce::naive {

@@ -8,7 +8,7 @@
 
 #include "naive.hpp"
 #include "naive_heap.hpp"
-#include "physics/integrators.hpp"
+#include "physics/methods/stepping_methods.hpp"
 
 namespace bounce::naive {
 namespace {

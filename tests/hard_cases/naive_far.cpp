@@ -5,7 +5,7 @@
 
 #include "02_spring_floor/spring_floor.hpp"
 #include "naive.hpp"
-#include "physics/integrators.hpp"
+#include "physics/methods/stepping_methods.hpp"
 
 namespace bounce::naive {
 namespace {

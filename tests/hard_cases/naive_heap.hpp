@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "05_ball_collision/ball_collision.hpp"
-#include "physics/integrators.hpp"
+#include "physics/methods/stepping_methods.hpp"
 
 namespace bounce::naive {
 

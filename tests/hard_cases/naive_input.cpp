@@ -11,7 +11,7 @@
 #include "03_damping/damping.hpp"
 #include "hostile_lines.hpp"
 #include "naive.hpp"
-#include "physics/integrators.hpp"
+#include "physics/methods/stepping_methods.hpp"
 #include "physics/text.hpp"
 
 namespace bounce::naive {

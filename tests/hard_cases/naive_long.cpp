@@ -10,8 +10,8 @@
 #include "03_damping/damping.hpp"
 #include "06_oscillating_floor/exact/exact.hpp"
 #include "naive.hpp"
-#include "physics/event_driven.hpp"
-#include "physics/integrators.hpp"
+#include "physics/events/event_driven.hpp"
+#include "physics/methods/stepping_methods.hpp"
 
 namespace bounce::naive {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "06_oscillating_floor/oscillating_floor.hpp"
 #include "naive.hpp"
-#include "physics/integrators.hpp"
+#include "physics/methods/stepping_methods.hpp"
 
 namespace bounce::naive {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "08_racket_game/racket_game.hpp"
 #include "naive.hpp"
-#include "physics/integrators.hpp"
+#include "physics/methods/stepping_methods.hpp"
 
 namespace bounce::naive {
 namespace {

@@ -6,7 +6,7 @@
 #include "02_spring_floor/spring_floor.hpp"
 #include "08_racket_game/racket_game.hpp"
 #include "naive.hpp"
-#include "physics/integrators.hpp"
+#include "physics/methods/stepping_methods.hpp"
 #include "stability_measured.hpp"
 
 namespace bounce::naive {
@@ -25,7 +25,7 @@ std::string contact_with_explicit_euler() {
 
 std::string nearly_unstable() {
   const auto [lowest, highest] =
-      hard_cases::restitution_range(Method::semi_implicit_euler, 0, 1.9, 1000);
+      hard_cases::restitution_range(methods::semi_implicit_euler, 0, 1.9, 1000);
   return "at $" + omega0_dt + " = 1.9$ an undamped ball comes back with " + digits(lowest, 2) +
          " to " + digits(highest) + " times its speed, as the steps happen to fall";
 }
@@ -33,7 +33,7 @@ std::string nearly_unstable() {
 std::string lucky_step() {
   const auto error = [](double step) {
     const auto [lowest, highest] =
-        hard_cases::restitution_range(Method::semi_implicit_euler, 0, step, 1000);
+        hard_cases::restitution_range(methods::semi_implicit_euler, 0, step, 1000);
     return digits(std::max(1 - lowest, highest - 1), 1);
   };
   return "a test at $" + omega0_dt + " = 1$ alone finds a restitution wrong by " + error(1) +

@@ -9,7 +9,7 @@
 #include "03_damping/exact.hpp"
 #include "04_three_dimensions/exact.hpp"
 #include "07_tilted_plane/exact.hpp"
-#include "physics/event_driven.hpp"
+#include "physics/events/event_driven.hpp"
 #include "run_program.hpp"
 #include "stages/methods.hpp"
 #include "stages/scene_simulations.hpp"
@@ -20,12 +20,12 @@ using test::run_program;
 
 namespace {
 
-using Run3 = SceneSimulation<Damping, DampingExact>;
-using Run4 = SceneSimulation<ThreeDimensions, ThreeDimensionsExact>;
+using Run3 = OneBallRun<Damping, DampingExact>;
+using Run4 = OneBallRun<ThreeDimensions, ThreeDimensionsExact>;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-const std::vector<Method> every_method{Method::explicit_euler, Method::semi_implicit_euler,
-                                       Method::velocity_verlet, Method::rk4, Method::exact};
+const std::vector<Method> every_method{methods::explicit_euler, methods::semi_implicit_euler,
+                                       methods::velocity_verlet, methods::rk4, methods::exact};
 
 Damping undamped() {
   Damping scene;
@@ -83,7 +83,7 @@ TEST_CASE("hard case: a dust grain on a floor of 1e9 N/m: exact bounces it, step
 
 TEST_CASE("hard case: a ball rests for 1e6 s and does not drift by a rounding") {
   for (const Method method :
-       {Method::semi_implicit_euler, Method::velocity_verlet, Method::rk4, Method::exact}) {
+       {methods::semi_implicit_euler, methods::velocity_verlet, methods::rk4, methods::exact}) {
     Run3 run;
     set(run, "stiffness", 100);  // omega0 = 10 /s, so that 1e7 steps of 0.1 s are stable
     set(run, "damping", 1);
@@ -139,7 +139,7 @@ TEST_CASE("hard case: a start deep in the floor, and with the centre below it, i
     Run3 run;
     set(run, "damping", 0);
     set(run, "position", y);
-    run.use_method(Method::rk4);
+    run.use_method(methods::rk4);
     run.use_dt(1e-4);
     run.restart();
     run.advance_to(0.1);
@@ -187,7 +187,7 @@ TEST_CASE("hard case: denormal velocities do no harm") {
       CAPTURE(name_of(method));
       // It is lost in the first g dt. `exact` takes another formula for a ball that flies upwards:
       // a rounding of each of some ten phases, and the speeds after them.
-      const double allowed = method == Method::exact ? 1e-13 : 0;
+      const double allowed = method == methods::exact ? 1e-13 : 0;
       CHECK(std::abs(run.state().position - still.state().position) <= allowed);
       CHECK(std::abs(run.state().velocity - still.state().velocity) <= 10 * allowed);
     }
@@ -205,7 +205,7 @@ TEST_CASE("hard case: dt = 0 is refused, with the value and what is allowed") {
 
 TEST_CASE("hard case: a step that divides neither frame nor duration ends at the same time") {
   for (const double dt : {0.3, 0.0007, 1.0 / 3, 0.001}) {
-    for (const Method method : {Method::velocity_verlet, Method::rk4}) {
+    for (const Method method : {methods::velocity_verlet, methods::rk4}) {
       Run3 run;
       set(run, "position", 100);  // in flight, where these two are exact
       run.use_method(method);
@@ -238,7 +238,7 @@ TEST_CASE("hard case: at 1e7 m the ball moves as it does at 0, to the spacing of
       CHECK(gap.y() == 0);  // the height does not know of it, to the bit
       // The others round to half a spacing at every step, exact only where it is looked at. A
       // hundredth for what the copy at 0 rounds.
-      const double allowed = method == Method::exact ? 0.51 : 0.5 * t / 1e-3 + 1;
+      const double allowed = method == methods::exact ? 0.51 : 0.5 * t / 1e-3 + 1;
       CHECK(std::max(std::abs(gap.x()), std::abs(gap.z())) <= allowed * spacing);
     }
   }
@@ -248,13 +248,13 @@ TEST_CASE(
     "hard case: 1e7 m along a tilted plane exact is right to one spacing, bounce after bounce") {
   const double far = 1e7, spacing = 1.862645149230957e-9;
   for (const double tilt : {0.0, 0.1, 0.5}) {
-    SceneSimulation<TiltedPlane, TiltedPlaneExact> here, there;
+    OneBallRun<TiltedPlane, TiltedPlaneExact> here, there;
     for (auto* run : {&here, &there}) {
       const std::string shift = run == &there ? "1e7" : "0";  // level, and so along the plane
       find_parameter(run->parameters(), "normal").set(to_text(tilt) + ",1,0");
       find_parameter(run->parameters(), "position").set("0,1," + shift);
       find_parameter(run->parameters(), "velocity").set("0.3,0,0.7");
-      run->use_method(Method::exact);
+      run->use_method(methods::exact);
       run->restart();
     }
     CAPTURE(tilt);
@@ -270,7 +270,7 @@ TEST_CASE(
 }
 
 TEST_CASE("hard case: without a damper time can run backwards") {
-  for (const Method method : {Method::exact, Method::velocity_verlet}) {
+  for (const Method method : {methods::exact, methods::velocity_verlet}) {
     Run3 run;
     set(run, "damping", 0);
     run.use_method(method);
@@ -284,7 +284,7 @@ TEST_CASE("hard case: without a damper time can run backwards") {
     // each of 30 phases, by a stepping method in each of 6000 steps: with either sign, so that the
     // sum goes with the root of their number, here with a reserve of 10. In flight such an error
     // grows into a distance, for up to 6 s.
-    const double roundings = method == Method::exact ? 4 * 30 : 10 * std::sqrt(6000.0);
+    const double roundings = method == methods::exact ? 4 * 30 : 10 * std::sqrt(6000.0);
     const double speed_error = roundings * 4.2 * epsilon / 2;
     CHECK(std::abs(run.state().position - 1) < 6 * speed_error);  // 3e-13 m and 2e-12 m
     CHECK(std::abs(run.state().velocity) < speed_error);

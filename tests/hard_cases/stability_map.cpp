@@ -19,9 +19,8 @@ using namespace bounce::hard_cases;
 
 namespace {
 
-const Method methods[] = {Method::explicit_euler, Method::semi_implicit_euler,
-                          Method::velocity_verlet, Method::rk4};
-const Method bouncing[] = {Method::semi_implicit_euler, Method::velocity_verlet, Method::rk4};
+const std::vector<Method> all_methods = AnyMethod<SteppingMethods<double>>::offered();
+const Method bouncing[] = {methods::semi_implicit_euler, methods::velocity_verlet, methods::rk4};
 
 std::string digits(double value, int count) {
   char text[40];
@@ -31,12 +30,12 @@ std::string digits(double value, int count) {
 
 std::string limits(const std::vector<double>& zetas) {
   std::string csv = "method,zeta,theory,measured\n";
-  for (const Method method : methods) {
+  for (const Method method : all_methods) {
     for (const double zeta : zetas) {
       // Without a damper explicit Euler is never stable: there is nothing to bisect.
-      if (method == Method::explicit_euler && zeta == 0) continue;
+      if (method == methods::explicit_euler && zeta == 0) continue;
       csv += name_of(method) + "," + to_text(zeta) + "," +
-             digits(largest_stable_step(method, 1, zeta), 6) + "," +
+             digits(method.largest_stable_step(1, zeta), 6) + "," +
              digits(measured_limit(method, zeta), 6) + "\n";
     }
   }
@@ -96,12 +95,12 @@ std::string script(const std::string& limit_csv, const std::string& range_csv,
       << "set key top right\n";
   std::string plots, data;
   int colour = 0;
-  for (const Method method : methods) {
+  for (const Method method : all_methods) {
     ++colour;
     const std::string type = " linetype " + std::to_string(colour);
     plots += std::string(plots.empty() ? "plot" : ",") + " '-' with lines linewidth 2" + type +
              " title '" + name_of(method) + "', '-' with points pointtype 7 pointsize " +
-             (method == Method::velocity_verlet ? "0.3" : "0.5") + type + " notitle";
+             (method == methods::velocity_verlet ? "0.3" : "0.5") + type + " notitle";
     data += points(limit_csv, method, 1, 2) + points(limit_csv, method, 1, 3);
   }
   out << plots << "\n" << data;
@@ -109,8 +108,8 @@ std::string script(const std::string& limit_csv, const std::string& range_csv,
       << "set xlabel 'omega0 dt'\nset ylabel 'restitution, lowest and highest over the phase'\n"
       << "set xrange [0:2]\nset yrange [0:2.8]\nset key top left\n";
   plots = data = "";
-  for (const Method method : {Method::semi_implicit_euler, Method::rk4}) {
-    const std::string type = method == Method::rk4 ? " linetype 4" : " linetype 2";
+  for (const Method method : {methods::semi_implicit_euler, methods::rk4}) {
+    const std::string type = method == methods::rk4 ? " linetype 4" : " linetype 2";
     plots += std::string(plots.empty() ? "plot" : ",") + " '-' with lines linewidth 2" + type +
              " title '" + name_of(method) + "', '-' with lines linewidth 2" + type + " notitle";
     data += points(range_csv, method, 1, 2) + points(range_csv, method, 1, 3);

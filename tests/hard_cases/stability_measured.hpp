@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "physics/integrators.hpp"
+#include "run/any_method.hpp"
 #include "run/methods.hpp"
 
 // What a method does to a contact, found by running it, without knowing its matrix.
@@ -27,19 +27,10 @@ struct Wall {
 
 /// Calls `visit` with a fresh step of the method.
 template <class Visit>
-auto with_step(Method method, const Visit& visit) {
-  switch (method) {
-    case Method::explicit_euler:
-      return visit(
-          [](const auto& s, double t, auto& x, double dt) { explicit_euler(s, t, x, dt); });
-    case Method::velocity_verlet:
-      return visit(VelocityVerlet<double>{});
-    case Method::rk4:
-      return visit([](const auto& s, double t, auto& x, double dt) { rk4(s, t, x, dt); });
-    default:
-      return visit(
-          [](const auto& s, double t, auto& x, double dt) { semi_implicit_euler(s, t, x, dt); });
-  }
+auto with_step(const Method& method, const Visit& visit) {
+  AnyMethod<SteppingMethods<double>> any;
+  any.begin(method);
+  return any.visit([&visit](const auto& step) { return visit(step); });
 }
 
 /// By what factor a disturbance grows from steps 2000..6000 to steps 6000..10000: the ratio of the

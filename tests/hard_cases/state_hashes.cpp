@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "all_stages.hpp"
-#include "physics/event_driven.hpp"
+#include "physics/events/event_driven.hpp"
 
 using namespace bounce;
 
@@ -90,7 +90,7 @@ const Runs all_runs[] = {
 /// every 0.05 s, and of all that the next step would depend on. The end is for people.
 std::string row(const Runs& runs, Method method) {
   const test::Stage& stage = test::all_stages().at(runs.stage - 1);
-  const bool formula = method == Method::exact;
+  const bool formula = method == methods::exact;
   const std::string words = "--method " + name_of(method) + " " + runs.settings;
   Hash hash;
   std::string end;
@@ -139,7 +139,7 @@ std::vector<std::string> table() {
   for (const Runs& runs : all_runs) {
     for (const Method method : test::all_stages().at(runs.stage - 1).make()->methods()) {
       // With a hundred balls the reference takes seconds.
-      if (method == Method::reference && runs.settings.find("count=100") != std::string::npos) {
+      if (method == methods::reference && runs.settings.find("count=100") != std::string::npos) {
         continue;
       }
       try {

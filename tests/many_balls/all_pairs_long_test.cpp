@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "many_balls/crowds.hpp"
-#include "physics/integrators.hpp"
+#include "physics/methods/stepping_methods.hpp"
 #include "sanitizers.hpp"
 
 using namespace bounce;

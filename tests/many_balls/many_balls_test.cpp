@@ -8,7 +8,7 @@
 
 #include "floating_point_traps.hpp"
 #include "many_balls/crowds.hpp"
-#include "physics/integrators.hpp"
+#include "physics/methods/stepping_methods.hpp"
 
 using namespace bounce;
 using many::ManyBalls;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "03_damping/exact.hpp"
-#include "physics/event_driven.hpp"
+#include "physics/events/event_driven.hpp"
 #include "reference_values.hpp"
 
 using namespace bounce;

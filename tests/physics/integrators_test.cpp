@@ -1,4 +1,4 @@
-#include "physics/integrators.hpp"
+#include "physics/methods/stepping_methods.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 // Methods whose steps are cut at touch and lift-off: their order, their cost, and that no event is
 // missed.
 
-#include "physics/located_events.hpp"
+#include "physics/events/located_events.hpp"
 
 #include <doctest/doctest.h>
 
@@ -13,7 +13,7 @@
 #include "03_damping/exact.hpp"
 #include "04_three_dimensions/exact.hpp"
 #include "07_tilted_plane/exact.hpp"
-#include "physics/integrators.hpp"
+#include "physics/methods/stepping_methods.hpp"
 #include "stages/methods.hpp"
 #include "stages/scene_simulations.hpp"
 
@@ -21,10 +21,10 @@ using namespace bounce;
 
 namespace {
 
-using Run = SceneSimulation<Damping, DampingExact>;
+using DampedRun = OneBallRun<Damping, DampingExact>;
 
-Run run_of(double damping, const char* contact, Method method, double dt) {
-  Run run;
+DampedRun run_of(double damping, const char* contact, Method method, double dt) {
+  DampedRun run;
   for (const Parameter& parameter : run.parameters()) {
     if (parameter.name == "damping") parameter.set(std::to_string(damping));
     if (parameter.name == "contact") parameter.set(contact);
@@ -35,7 +35,7 @@ Run run_of(double damping, const char* contact, Method method, double dt) {
   return run;
 }
 
-double worst_error(Run run, double t_end) {
+double worst_error(DampedRun run, double t_end) {
   double worst = 0;
   for (int i = 1; i <= 50; ++i) {
     run.advance_to(t_end * i / 50);
@@ -81,14 +81,14 @@ TEST_CASE("with located events RK4 keeps its order 4 across bounces, without it 
     for (const double damping : {0.0, 5.0, 40.0}) {
       CAPTURE(contact);
       CAPTURE(damping);
-      for (const Method method : {Method::rk4_events, Method::flight_rk4}) {
+      for (const Method method : {methods::rk4_events, methods::flight_rk4}) {
         // From omega0 dt = 0.06 down to 0.006: coarser, errors of the next order still count (RK4's
         // error in the amplitude is of order 5); finer, the rounding of 1e5 steps does.
         const double order = order_of(method, damping, contact, 6e-4);
         INFO(name_of(method), ": measured order ", order);
         CHECK(order > 3.5);
       }
-      const double without = order_of(Method::rk4, damping, contact, 2e-3);
+      const double without = order_of(methods::rk4, damping, contact, 2e-3);
       CHECK(without < (damping > 0 ? 1.5 : 2.4));
     }
   }
@@ -108,8 +108,8 @@ TEST_CASE("the mechanism serves any stepping method") {
 }
 
 TEST_CASE("flights by formula save their force evaluations and change nothing else") {
-  Run stepped = run_of(5, "may-pull", Method::rk4_events, 1e-4);
-  Run formula = run_of(5, "may-pull", Method::flight_rk4, 1e-4);
+  DampedRun stepped = run_of(5, "may-pull", methods::rk4_events, 1e-4);
+  DampedRun formula = run_of(5, "may-pull", methods::flight_rk4, 1e-4);
   stepped.advance_to(5);
   formula.advance_to(5);
   // 50000 steps of four evaluations, and a few for the cuts, at each of 7 bounces.
@@ -155,7 +155,7 @@ TEST_CASE("no event is missed, however large the step") {
   // A step as long as a whole contact: the error is what it is, but each bounce happens.
   for (const char* contact : {"may-pull", "push-only"}) {
     for (const double dt : {0.005, 0.02}) {
-      Run run = run_of(1, contact, Method::flight_rk4, dt);
+      DampedRun run = run_of(1, contact, methods::flight_rk4, dt);
       CAPTURE(contact);
       CAPTURE(dt);
       for (int i = 1; i <= 400; ++i) {
@@ -168,12 +168,12 @@ TEST_CASE("no event is missed, however large the step") {
 }
 
 TEST_CASE("a located run that is cut, saved and resumed goes on as if nothing had been") {
-  for (const Method method : {Method::rk4_events, Method::flight_rk4}) {
-    Run whole = run_of(5, "push-only", method, 1e-3), parts = whole;
+  for (const Method method : {methods::rk4_events, methods::flight_rk4}) {
+    DampedRun whole = run_of(5, "push-only", method, 1e-3), parts = whole;
     whole.advance_to(3);
     for (int i = 1; i <= 40; ++i) {
       parts.advance_to(i * 0.075);
-      Run again = run_of(5, "push-only", method, 1e-3);
+      DampedRun again = run_of(5, "push-only", method, 1e-3);
       again.recall(parts.memory());
       parts = again;
     }
@@ -185,8 +185,8 @@ TEST_CASE("a located run that is cut, saved and resumed goes on as if nothing ha
 TEST_CASE("a ball that has come to rest is moved in whole steps") {
   // Over-damped (zeta = 2.5), and stable up to 5.8 ms. The bound from the touch at 4 m/s would cut
   // each step into four for ever, because the ball rests only 1 mm deep.
-  for (const Method method : {Method::rk4_events, Method::flight_rk4}) {
-    SceneSimulation<Damping, DampingExact> run;
+  for (const Method method : {methods::rk4_events, methods::flight_rk4}) {
+    OneBallRun<Damping, DampingExact> run;
     find_parameter(run.parameters(), "damping").set("500");
     run.use_method(method);
     run.use_dt(5e-3);

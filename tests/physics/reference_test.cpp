@@ -1,6 +1,6 @@
 // The method `reference`: its integrator's order, and its error and cost across bounces.
 
-#include "physics/reference.hpp"
+#include "physics/events/reference_walk.hpp"
 
 #include <doctest/doctest.h>
 
@@ -21,16 +21,16 @@ using namespace bounce;
 
 namespace {
 
-using Run = SceneSimulation<Damping, DampingExact>;
+using DampedRun = OneBallRun<Damping, DampingExact>;
 
-Run run_of(double damping, const char* contact, double tolerance) {
-  Run run;
+DampedRun run_of(double damping, const char* contact, double tolerance) {
+  DampedRun run;
   for (const Parameter& parameter : run.parameters()) {
     if (parameter.name == "damping") parameter.set(std::to_string(damping));
     if (parameter.name == "contact") parameter.set(contact);
   }
   run.restart();
-  run.use_method(Method::reference);
+  run.use_method(methods::reference);
   run.use_tolerance(tolerance);
   return run;
 }
@@ -44,7 +44,7 @@ struct Pendulum {
 };
 
 State<double> swing(int steps) {
-  DormandPrince<double> method;
+  Dop853<double> method;
   State<double> state{2, 0};
   for (int i = 0; i < steps; ++i) {
     method.start_at(Pendulum{}, 0, state);
@@ -77,7 +77,7 @@ Tableau tableau_of_dormand_prince() {
       mutable std::size_t at = 0;
     };
     const Probe probe{table, one};
-    DormandPrince<double> method;
+    Dop853<double> method;
     method.start_at(probe, 0, {0, 0});
     table.b[one] = method.step(probe, 0, 1).velocity;
     REQUIRE(probe.at == Tableau::stages);
@@ -156,7 +156,7 @@ TEST_CASE("the integrator's estimate of its error falls as it should, with the 8
   std::vector<double> steps, errors;
   for (int i = 0; i < 20; ++i) {
     const double h = std::pow(0.9, i);
-    DormandPrince<double> method;
+    Dop853<double> method;
     method.start_at(Pendulum{}, 0, {2, 0.5});
     method.step(Pendulum{}, 0, h);
     steps.push_back(h);
@@ -183,7 +183,7 @@ TEST_CASE("the integrator behind `reference` is of order 8") {
 TEST_CASE("reference stays within 1e-11 m of the exact solution, with dampers and without") {
   for (const char* contact : {"may-pull", "push-only"}) {
     for (const double damping : {0.0, 5.0, 40.0, 150.0, 199.9, 450.0}) {
-      Run run = run_of(damping, contact, 1e-12);
+      DampedRun run = run_of(damping, contact, 1e-12);
       for (int i = 1; i <= 50; ++i) {
         run.advance_to(0.1 * i);
         CAPTURE(contact);
@@ -199,7 +199,7 @@ TEST_CASE("reference stays within 1e-11 m of the exact solution, with dampers an
 TEST_CASE("the tolerance rules the error") {
   double before = 1;
   for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
-    Run run = run_of(5, "may-pull", tolerance);
+    DampedRun run = run_of(5, "may-pull", tolerance);
     run.advance_to(5);
     const double error = run.error()->position;
     INFO("tolerance ", tolerance, ", error ", error);
@@ -240,7 +240,7 @@ TEST_CASE("reference on the command line: rows at exactly the times that are ask
 }
 
 TEST_CASE("who looks at a reference run does not change it") {
-  Run whole = run_of(5, "push-only", 1e-9), looked_at = whole;
+  DampedRun whole = run_of(5, "push-only", 1e-9), looked_at = whole;
   whole.advance_to(3);
   for (int i = 1; i <= 700; ++i) looked_at.advance_to(3.0 * i / 700);
   CHECK(whole.values() == looked_at.values());

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "physics/integrators.hpp"
+#include "physics/methods/stepping_methods.hpp"
 
 using namespace bounce;
 

@@ -9,15 +9,15 @@
 
 #include "01_free_fall/exact.hpp"
 #include "03_damping/exact.hpp"
-#include "05_ball_collision/run/balls_simulation.hpp"
+#include "05_ball_collision/run/balls_world.hpp"
 #include "stages/scene_simulations.hpp"
 
 using namespace bounce;
 
 namespace {
 
-using Fall = SceneSimulation<FreeFall, FreeFallExact>;
-using Damped = SceneSimulation<Damping, DampingExact>;
+using Fall = OneBallRun<FreeFall, FreeFallExact>;
+using Damped = OneBallRun<Damping, DampingExact>;
 
 ErrorChart chart_of(const Simulation& simulation) {
   ErrorChart chart;
@@ -41,7 +41,7 @@ std::vector<ErrorChart::Dot> dots_of(const ErrorChart& chart, Method method) {
 TEST_CASE("the error chart of a free fall shows what the formulas say") {
   const ErrorChart chart = chart_of(Fall());
   CHECK(chart.duration() == 2);
-  for (const Method method : {Method::explicit_euler, Method::semi_implicit_euler}) {
+  for (const Method method : {methods::explicit_euler, methods::semi_implicit_euler}) {
     const std::vector<ErrorChart::Dot> dots = dots_of(chart, method);
     CHECK(dots.size() == 6);
     for (const ErrorChart::Dot& dot : dots) {
@@ -53,7 +53,7 @@ TEST_CASE("the error chart of a free fall shows what the formulas say") {
       CHECK(dot.evaluations == doctest::Approx(1 / dot.dt).epsilon(1e-9));
     }
   }
-  for (const ErrorChart::Dot& dot : dots_of(chart, Method::rk4)) {
+  for (const ErrorChart::Dot& dot : dots_of(chart, methods::rk4)) {
     CHECK(dot.error < 1e-11);  // rounding of at most 2e5 steps
     CHECK(dot.evaluations == doctest::Approx(4 / dot.dt).epsilon(1e-9));
   }
@@ -62,7 +62,7 @@ TEST_CASE("the error chart of a free fall shows what the formulas say") {
 TEST_CASE("the error chart of a damped bounce is what a plain loop finds, step for step") {
   const ErrorChart chart = chart_of(Damped());
   const Damping p;
-  for (const ErrorChart::Dot& dot : dots_of(chart, Method::semi_implicit_euler)) {
+  for (const ErrorChart::Dot& dot : dots_of(chart, methods::semi_implicit_euler)) {
     CAPTURE(dot.dt);
     EventDriven<DampingExact> exact(DampingExact(p), 0, p.start);
     double y = p.start.position, v = 0, worst = 0;
@@ -87,14 +87,15 @@ TEST_CASE("the error chart of a damped bounce is what a plain loop finds, step f
     for (const ErrorChart::Dot& dot : dots_of(chart, method)) least = std::min(least, dot.error);
     return least;
   };
-  CHECK(best(Method::flight_rk4) < 1e-4 * best(Method::rk4));
-  CHECK(best(Method::rk4_events) < 1e-4 * best(Method::rk4));
+  CHECK(best(methods::flight_rk4) < 1e-4 * best(methods::rk4));
+  CHECK(best(methods::rk4_events) < 1e-4 * best(methods::rk4));
 }
 
 TEST_CASE("the error chart of two balls compares with the reference, for four touches") {
-  const ErrorChart chart = chart_of(BallsSimulation());
+  const ErrorChart chart = chart_of(BallsRun());
   CHECK(chart.duration() == doctest::Approx(4 * 0.4).epsilon(1e-9));  // 0.4 m at 1 m/s
-  for (const Method method : {Method::semi_implicit_euler, Method::velocity_verlet, Method::rk4}) {
+  for (const Method method :
+       {methods::semi_implicit_euler, methods::velocity_verlet, methods::rk4}) {
     const std::vector<ErrorChart::Dot> dots = dots_of(chart, method);
     REQUIRE(dots.size() >= 4);  // finer steps would take too long
     CAPTURE(name_of(method));
@@ -102,7 +103,7 @@ TEST_CASE("the error chart of two balls compares with the reference, for four to
     CHECK(dots.back().error < dots.back().dt);
     CHECK(dots.back().error > 1e-12);  // without located events the touch costs accuracy
   }
-  BallsSimulation crowd;
+  BallsRun crowd;
   find_parameter(crowd.parameters(), "scene").set("break");
   crowd.restart();
   ErrorChart none;
@@ -118,11 +119,11 @@ TEST_CASE("the error chart follows the simulation: its step, its method, its par
   CHECK(chart.now()->dt == 2.5e-4);
   const std::size_t all = chart.dots().size();
 
-  ball.use_method(Method::rk4);
+  ball.use_method(methods::rk4);
   ball.use_dt(1e-3);  // one of its own: nothing to be computed
   chart.follow(ball, 0);
   CHECK(chart.is_done());
-  CHECK(chart.now()->method == Method::rk4);
+  CHECK(chart.now()->method == methods::rk4);
   CHECK(chart.dots().size() == all);
 
   const double before = chart.now()->error;
@@ -137,7 +138,7 @@ TEST_CASE("the error chart follows the simulation: its step, its method, its par
   REQUIRE(chart.now());
   CHECK(chart.now()->error != before);
 
-  ball.use_method(Method::exact);
+  ball.use_method(methods::exact);
   chart.follow(ball, 0);
   CHECK(chart.is_done());
   CHECK(!chart.now());
@@ -168,7 +169,7 @@ TEST_CASE("the error chart computes in portions, and leaves out what would take 
 
 TEST_CASE("a step that explodes is in the error chart with an infinite error") {
   Damped ball;
-  ball.use_method(Method::explicit_euler);
+  ball.use_method(methods::explicit_euler);
   ball.use_dt(0.05);
   const ErrorChart chart = chart_of(ball);
   REQUIRE(chart.now());

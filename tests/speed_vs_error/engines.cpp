@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "03_damping/exact.hpp"
-#include "physics/event_driven.hpp"
-#include "run/scene_simulation.hpp"
+#include "physics/events/event_driven.hpp"
+#include "run/one_ball_run.hpp"
 
 namespace bounce::report {
 namespace {
@@ -173,12 +173,12 @@ Subject engine_subject(const Engine& engine, double e, double dt, const Movement
 
 /// The slides' loop with the same steps, on its own model.
 Subject own_subject(double dt, const Movement& truth, const std::vector<double>& times) {
-  const auto ball = std::make_shared<SceneSimulation<Damping, DampingExact>>();
+  const auto ball = std::make_shared<OneBallRun<Damping, DampingExact>>();
   const auto begin = [=] {
     ball->restart();
     ball->use_dt(dt);
   };
-  Subject subject{name_of(Method::semi_implicit_euler), "dt", dt, false, {}, {}};
+  Subject subject{name_of(methods::semi_implicit_euler), "dt", dt, false, {}, {}};
   subject.run = [=] {
     begin();
     ball->advance_to(t_end);

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "many_balls/lammps.hpp"
-#include "physics/integrators.hpp"
+#include "physics/methods/stepping_methods.hpp"
 #include "speed_vs_error/results.hpp"
 #include "speed_vs_error/stopwatch.hpp"
 

@@ -10,7 +10,7 @@
 #include "06_oscillating_floor/exact/exact.hpp"
 #include "07_tilted_plane/exact.hpp"
 #include "physics/bounce_batch.hpp"
-#include "run/scene_simulation.hpp"
+#include "run/one_ball_run.hpp"
 #include "speed_vs_error/subjects.hpp"
 
 namespace bounce::report {
@@ -76,10 +76,10 @@ Subject sweep_subject(double damping, double t_end) {
 }
 
 template <class Scene, class Exact>
-Subject stepping_subject(const SceneSimulation<Scene, Exact>& simulation, Method method, double dt,
+Subject stepping_subject(const OneBallRun<Scene, Exact>& simulation, Method method, double dt,
                          double t_end) {
-  const auto run = std::make_shared<SceneSimulation<Scene, Exact>>(simulation);
-  const bool by_tolerance = method == Method::reference;
+  const auto run = std::make_shared<OneBallRun<Scene, Exact>>(simulation);
+  const bool by_tolerance = method == methods::reference;
   Subject subject{name_of(method), by_tolerance ? "tolerance" : "dt", dt, false, {}, {}};
   const auto begin = [=] {
     run->restart();
@@ -111,7 +111,7 @@ Subject stepping_subject(const SceneSimulation<Scene, Exact>& simulation, Method
   subject.evaluations = [=] {
     begin();
     run->advance_to(t_end);
-    return run->steps() * force_evaluations_per_step(method) + run->counted_force_evaluations();
+    return run->steps() * method.evaluations + run->counted_force_evaluations();
   };
   return subject;
 }
@@ -138,7 +138,7 @@ template <class Scene, class Exact>
 Case case_of(const std::string& name, int stage, const std::string& what, double t_end) {
   Case one{name, stage, what, t_end, {}, {}};
   using Vector = decltype(Scene::start.position);
-  const SceneSimulation<Scene, Exact> simulation;
+  const OneBallRun<Scene, Exact> simulation;
   const Scene scene = simulation.scene();
   for (int i = 1; i <= 100; ++i) one.times.push_back(t_end * i / 100);
   one.energy = [scene](double t, const Row& row) {
@@ -149,8 +149,8 @@ Case case_of(const std::string& name, int stage, const std::string& what, double
   one.subjects.push_back(exact_subject<Scene, Exact>(scene, t_end));
   one.truth = one.subjects[0].sample(one.times);
   for (const Method method : simulation.methods()) {
-    if (method == Method::exact) continue;
-    if (method == Method::reference) {
+    if (method == methods::exact) continue;
+    if (method == methods::reference) {
       for (const double tolerance : geometric(1e-3, 1e-14, 2)) {
         one.subjects.push_back(
             stepping_subject<Scene, Exact>(simulation, method, tolerance, t_end));
@@ -158,7 +158,7 @@ Case case_of(const std::string& name, int stage, const std::string& what, double
       continue;
     }
     // From about the largest stable step of these contacts on.
-    for (const double dt : geometric(1e-2, method == Method::rk4_events ? 1e-5 : 2e-6, 6)) {
+    for (const double dt : geometric(1e-2, method == methods::rk4_events ? 1e-5 : 2e-6, 6)) {
       one.subjects.push_back(stepping_subject<Scene, Exact>(simulation, method, dt, t_end));
     }
   }

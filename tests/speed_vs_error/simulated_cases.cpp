@@ -5,8 +5,8 @@
 #include <memory>
 #include <utility>
 
-#include "05_ball_collision/run/balls_simulation.hpp"
-#include "08_racket_game/run/racket_run.hpp"
+#include "05_ball_collision/run/balls_world.hpp"
+#include "08_racket_game/run/options.hpp"
 #include "speed_vs_error/subjects.hpp"
 
 namespace bounce::report {
@@ -30,14 +30,14 @@ Row row_of(const Simulation& simulation) {
 /// `knob` is the time step, or the tolerance of `reference`; `exact` has none.
 Subject subject_of(const std::shared_ptr<Simulation>& run, Method method, double knob,
                    double t_end) {
-  const char* name = method == Method::exact       ? ""
-                     : method == Method::reference ? "tolerance"
-                                                   : "dt";
+  const char* name = method == methods::exact       ? ""
+                     : method == methods::reference ? "tolerance"
+                                                    : "dt";
   Subject subject{name_of(method), name, knob, false, {}, {}};
   const auto begin = [=] {
     run->use_method(method);
-    if (method == Method::reference) run->use_tolerance(knob);
-    if (!goes_by_events(method)) run->use_dt(knob);
+    if (method == methods::reference) run->use_tolerance(knob);
+    if (!method.goes_by_events) run->use_dt(knob);
     run->restart();
   };
   subject.sample = [=](const std::vector<double>& times) {
@@ -61,7 +61,7 @@ Subject subject_of(const std::shared_ptr<Simulation>& run, Method method, double
   subject.evaluations = [=] {
     begin();
     run->advance_to(t_end);
-    return run->steps() * force_evaluations_per_step(method) + run->counted_force_evaluations();
+    return run->steps() * method.evaluations + run->counted_force_evaluations();
   };
   return subject;
 }
@@ -87,14 +87,14 @@ void add_case(std::vector<Case>& all, const std::string& name, int stage, const 
   one.energy = [](double /*t*/, const Row& row) { return row.back(); };
   const Subject right = subject_of(run, truth.method, truth.tolerance, t_end);
   one.truth = right.sample(one.times);
-  if (truth.method == Method::exact) one.subjects.push_back(right);
+  if (truth.method == methods::exact) one.subjects.push_back(right);
   for (const Method method : run->methods()) {
-    if (method == Method::reference) {
+    if (method == methods::reference) {
       for (const double tolerance : geometric(1e-3, 1e-12, 1)) {
         one.subjects.push_back(subject_of(run, method, tolerance, t_end));
       }
     }
-    if (force_evaluations_per_step(method) == 0) continue;  // no step to choose
+    if (method.evaluations == 0) continue;  // no step to choose
     for (const double dt : geometric(1e-2, truth.finest, 3)) {
       one.subjects.push_back(subject_of(run, method, dt, t_end));
     }
@@ -106,22 +106,19 @@ void add_case(std::vector<Case>& all, const std::string& name, int stage, const 
 
 void add_simulated_cases(std::vector<Case>& all) {
   add_case(all, "pair", 5, "two balls that meet off centre, with a damper, 1 s", 1,
-           {Method::reference, 1e-14, 1e-5}, std::make_shared<BallsSimulation>(),
+           {methods::reference, 1e-14, 1e-5}, std::make_shared<BallsRun>(),
            {{"gap", "0.08"}, {"damping", "5"}});
   add_case(all, "cradle", 5, "five balls in a row that all but touch, 2 s", 2,
-           {Method::reference, 1e-14, 2e-5}, std::make_shared<BallsSimulation>(),
-           {{"scene", "cradle"}});
+           {methods::reference, 1e-14, 2e-5}, std::make_shared<BallsRun>(), {{"scene", "cradle"}});
 
-  const auto racket = std::make_shared<RacketRun>();
-  racket->play_as(PlayerKind::none);
+  const auto racket = std::make_shared<BareRacketRun>();
   add_case(all, "racket", 8, "a ball over a racket that rises and moves aside, 2 s", 2,
-           {Method::exact, 0, 2e-6}, racket,
+           {methods::exact, 0, 2e-6}, racket,
            {{"racket_velocity", "0.2,0.5,0"}, {"velocity", "0.2,0,0"}});
 
-  const auto rim = std::make_shared<RacketRun>();
-  rim->play_as(PlayerKind::none);
+  const auto rim = std::make_shared<BareRacketRun>();
   add_case(all, "rim", 8, "a ball on the rim of a racket that moves aside, 1 s", 1,
-           {Method::reference, 1e-15, 2e-6}, rim,
+           {methods::reference, 1e-15, 2e-6}, rim,
            {{"racket_velocity", "0.2,0.5,0"}, {"position", "0.33,1,0.1"}});
 }
 

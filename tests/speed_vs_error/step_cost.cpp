@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "03_damping/damping.hpp"
-#include "physics/integrators.hpp"
+#include "physics/methods/stepping_methods.hpp"
 
 using namespace bounce;
 

@@ -4,7 +4,7 @@
 
 #include "01_free_fall/exact.hpp"
 #include "methods.hpp"
-#include "physics/event_driven.hpp"
+#include "physics/events/event_driven.hpp"
 
 using namespace bounce;
 using test::all_methods;

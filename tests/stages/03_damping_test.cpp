@@ -5,7 +5,7 @@
 
 #include "03_damping/exact.hpp"
 #include "methods.hpp"
-#include "physics/event_driven.hpp"
+#include "physics/events/event_driven.hpp"
 
 using namespace bounce;
 using test::all_methods;

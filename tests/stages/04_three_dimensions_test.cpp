@@ -21,14 +21,14 @@ using Eigen::Vector3d;
 
 namespace {
 
-using Run3 = SceneSimulation<Damping, DampingExact>;
-using Run4 = SceneSimulation<ThreeDimensions, ThreeDimensionsExact>;
+using Run3 = OneBallRun<Damping, DampingExact>;
+using Run4 = OneBallRun<ThreeDimensions, ThreeDimensionsExact>;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double duration = 3;  // s: four bounces from a height of 1 m
 constexpr double steps_sizes[] = {1e-2, 1e-3, 1e-4};
-const std::vector<Method> stepping{Method::explicit_euler, Method::semi_implicit_euler,
-                                   Method::velocity_verlet, Method::rk4};
+const std::vector<Method> stepping{methods::explicit_euler, methods::semi_implicit_euler,
+                                   methods::velocity_verlet, methods::rk4};
 
 /// A run that stands at `start`.
 Run4 run_from(const State<Vector3d>& start, Method method, double dt, ContactLaw law) {
@@ -48,7 +48,7 @@ Run4 run_from(const State<Vector3d>& start, Method method, double dt, ContactLaw
 TEST_CASE("stage 4: without sideways velocity it is stage 3, to the bit") {
   for (const ContactLaw law : {ContactLaw::may_pull, ContactLaw::push_only}) {
     std::vector<Method> methods = stepping;
-    methods.push_back(Method::exact);
+    methods.push_back(methods::exact);
     for (const Method method : methods) {
       for (const double dt : steps_sizes) {
         Run3 line;
@@ -146,9 +146,9 @@ TEST_CASE("stage 4: flight is a parabola") {
       run.place({p0.x(), p0.y(), p0.z(), v0.x(), v0.y(), v0.z()});
       for (const double t : {0.5, 1.0, 2.0}) {  // whole multiples of every dt
         run.advance_to(t);
-        const double error_of_method = method == Method::explicit_euler        ? g * t * dt / 2
-                                       : method == Method::semi_implicit_euler ? -g * t * dt / 2
-                                                                               : 0;
+        const double error_of_method = method == methods::explicit_euler        ? g * t * dt / 2
+                                       : method == methods::semi_implicit_euler ? -g * t * dt / 2
+                                                                                : 0;
         const Vector3d expected = p0 + v0 * t + Vector3d(0, -g * t * t / 2 + error_of_method, 0);
         // n sums, each rounded by half an epsilon of a height below 20 m; the velocity, below
         // 20 m/s, is such a sum itself and is used n times: its error grows like n^2 dt.
@@ -173,7 +173,7 @@ TEST_CASE("stage 4: exact is stage 3's exact upwards, and uniform motion sideway
     find_parameter(space.parameters(), "contact").set(contact);
     find_parameter(space.parameters(), "velocity").set("1,0,0.5");
     for (Simulation* run : {static_cast<Simulation*>(&line), static_cast<Simulation*>(&space)}) {
-      run->use_method(Method::exact);
+      run->use_method(methods::exact);
       run->restart();
     }
     for (double t = 0.05; t < 10; t += 0.05) {
@@ -198,16 +198,17 @@ TEST_CASE("stage 4: what the energy column calls lost is the damper's work") {
   // v = 4.2 m/s one step may book c v^2 dt too much or too little: 0.09 J at dt = 1e-3, four times.
   for (const double dt : {1e-3, 1e-4, 1e-5}) {
     Run4 run;
-    run.use_method(Method::rk4);
+    run.use_method(methods::rk4);
     run.use_dt(dt);
     run.restart();
     run.keep_energy_book(true);
     run.parameters_changed();
     run.advance_to(duration);
-    const double error = run.energy().total() + run.energy_lost() - run.energy_before();
+    const double error =
+        run.energy().total() + run.energy_account().lost - run.energy_account().before;
     CAPTURE(dt);
     CAPTURE(error);
-    CHECK(run.energy_lost() > 3);  // of 10.4 J
+    CHECK(run.energy_account().lost > 3);  // of 10.4 J
     CHECK(std::abs(error) <= 4 * 5.0 * 4.2 * 4.2 * dt);
   }
 }
@@ -217,7 +218,7 @@ TEST_CASE("stage 4: a saved run goes on as if it had not stopped") {
       (std::filesystem::temp_directory_path() / "bounce_stage_4_saved").string();
   const StageName stage{"04_three_dimensions", ""};
   for (const Method method :
-       {Method::semi_implicit_euler, Method::velocity_verlet, Method::rk4, Method::exact}) {
+       {methods::semi_implicit_euler, methods::velocity_verlet, methods::rk4, methods::exact}) {
     Run4 whole;
     find_parameter(whole.parameters(), "position").set("0.1,0.9,-0.3");
     whole.use_method(method);

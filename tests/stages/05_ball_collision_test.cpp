@@ -10,9 +10,9 @@
 
 #include "03_damping/damping.hpp"
 #include "05_ball_collision/files/balls_file.hpp"
-#include "05_ball_collision/run/balls_simulation.hpp"
+#include "05_ball_collision/run/balls_world.hpp"
 #include "methods.hpp"
-#include "physics/integrators.hpp"
+#include "physics/methods/stepping_methods.hpp"
 
 using namespace bounce;
 using Eigen::Vector3d;
@@ -408,7 +408,7 @@ TEST_CASE("stage 5: the tray's walls push with the floor's law, and a corner wit
 }
 
 TEST_CASE("stage 5: the grid and the double loop give the same bits") {
-  BallsSimulation simulation;
+  BallsRun simulation;
   find_parameter(simulation.parameters(), "scene").set("drop");
   find_parameter(simulation.parameters(), "count").set("150");
   simulation.restart();
@@ -429,7 +429,7 @@ TEST_CASE("stage 5: the grid and the double loop give the same bits") {
 
 TEST_CASE("stage 5: what the dampers take is what is missing") {
   for (const std::string scene : {"tower", "drop", "break"}) {
-    BallsSimulation simulation;
+    BallsRun simulation;
     find_parameter(simulation.parameters(), "scene").set(scene);
     find_parameter(simulation.parameters(), "damping").set("10");
     find_parameter(simulation.parameters(), "floor_damping").set("25");
@@ -437,10 +437,10 @@ TEST_CASE("stage 5: what the dampers take is what is missing") {
     simulation.use_dt(5e-5);
     simulation.restart();
     simulation.advance_to(1);
-    const double before = simulation.energy_before();
-    const double error = simulation.energy().total() + simulation.energy_lost() - before;
-    INFO(scene, ": lost ", simulation.energy_lost(), " of ", before, ", error ", error);
-    CHECK(simulation.energy_lost() > 0.05 * before);
+    const double before = simulation.energy_account().before;
+    const double error = simulation.energy().total() + simulation.energy_account().lost - before;
+    INFO(scene, ": lost ", simulation.energy_account().lost, " of ", before, ", error ", error);
+    CHECK(simulation.energy_account().lost > 0.05 * before);
     // First order: w dt = 0.01 at a touch, where the damper's force jumps (stage 3).
     CHECK(std::abs(error) < 0.01 * before);
   }
@@ -451,7 +451,7 @@ TEST_CASE("stage 5: the small ball on the big one") {
   // one that still falls with v: v_small = (3 M - m) / (M + m) v = 29/11 v, so it rises 6.95 times
   // as high as the fall. Springs that take their time come close; balls that touch share the push.
   const auto highest = [](const std::string& gap) {
-    BallsSimulation simulation;
+    BallsRun simulation;
     find_parameter(simulation.parameters(), "scene").set("tower");
     find_parameter(simulation.parameters(), "gap").set(gap);
     simulation.use_dt(1e-5);
@@ -474,7 +474,7 @@ TEST_CASE("stage 5: the small ball on the big one") {
 }
 
 TEST_CASE("stage 5: scenes bring defaults, and setting wins over them, in any order") {
-  BallsSimulation simulation;
+  BallsRun simulation;
   const auto set = [&](const std::string& name, const std::string& value) {
     find_parameter(simulation.parameters(), name).set(value);
   };
@@ -518,17 +518,17 @@ TEST_CASE("stage 5: a saved state goes on to the bit, for every scene, method an
   const auto path = std::filesystem::temp_directory_path() / "bounce_own_balls.csv";
   std::ofstream(path) << "mass,radius,x,y,z,vx,vy,vz\n1,0.1,0,0.5,0,1,0,0\n2,0.2,1,0.5,0,0,0,0\n";
   for (const std::string scene : {"pair", "break", "cradle", "tower", "drop", "file"}) {
-    for (const Method method : BallsSimulation().methods()) {
-      BallsSimulation run;
-      if (scene == "file") run.use_balls(BallsFile(path.string()).read(), path.string());
+    for (const Method method : BallsRun().methods()) {
+      BallsRun run;
+      if (scene == "file") run.world().use_balls(BallsFile(path.string()).read(), path.string());
       if (scene != "file") find_parameter(run.parameters(), "scene").set(scene);
-      const bool is_slow = scene == "drop" && method == Method::reference;
+      const bool is_slow = scene == "drop" && method == methods::reference;
       if (is_slow) find_parameter(run.parameters(), "count").set("20");
       run.use_seed(7);
       run.use_method(method);
       run.restart();
       run.advance_to(0.4005);
-      BallsSimulation other;
+      BallsRun other;
       if (scene != "file") find_parameter(other.parameters(), "scene").set(scene);
       if (scene == "file") find_parameter(other.parameters(), "gravity").set("9.81");
       if (is_slow) find_parameter(other.parameters(), "count").set("20");
@@ -544,7 +544,7 @@ TEST_CASE("stage 5: a saved state goes on to the bit, for every scene, method an
       CHECK(run.values() == other.values());
     }
   }
-  BallsSimulation run;
+  BallsRun run;
   Simulation::Memory memory = run.memory();
   memory.numbers.pop_back();
   CHECK_THROWS_AS(run.recall(memory), BadInput);
@@ -593,7 +593,7 @@ TEST_CASE("stage 5: a balls file is refused with its line and column") {
 }
 
 TEST_CASE("stage 5: the time step that is asked for fits the lightest balls") {
-  BallsSimulation tower;
+  BallsRun tower;
   find_parameter(tower.parameters(), "scene").set("tower");
   tower.restart();
   // 1 kg on the floor: 100/s. 1 kg against 10 kg: m_eff = 10/11 kg, so sqrt(1.1) times that.

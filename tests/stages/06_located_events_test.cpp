@@ -22,7 +22,7 @@ namespace {
 using Exact = EventDriven<OscillatingFloorExact>;
 using HighOrder = Reference<OneBall<OscillatingFloorExact, double>, double>;
 using Located = LocatedEvents<OscillatingFloorExact, double>;
-using Run = SceneSimulation<OscillatingFloor, OscillatingFloorExact>;
+using FloorRun = OneBallRun<OscillatingFloor, OscillatingFloorExact>;
 
 constexpr auto rk4_step = [](auto& law, double t, State<double>& state, double h) {
   rk4(law, t, state, h);
@@ -249,16 +249,16 @@ TEST_CASE("stage 6: neither reference nor located steps skip the end of a phase"
     (phase == Phase::flight ? flights : phase == Phase::touch ? touches : let_gos)++;
     int missed = 0;
     for (int piece = 0; piece < 20 && reference.contacts().phase() == phase; ++piece) {
-      const double from = reference.piece_start();
+      const double from = reference.last_event();
       HighOrder next = reference;
       next.reach(begin + 3, 1);
       const double to =
-          std::min(next.piece_start() > from ? next.piece_start() : begin + 3, begin + 3);
+          std::min(next.last_event() > from ? next.last_event() : begin + 3, begin + 3);
       for (int i = 1; i < 8; ++i) {
         const double t = from + (to - from) * i / 8;
         missed += contradicts(scene, phase, t, reference.at(t), allowed);
       }
-      if (next.piece_start() == from) break;
+      if (next.last_event() == from) break;
       reference = next;
     }
     CHECK(missed == 0);
@@ -310,27 +310,27 @@ TEST_CASE("stage 6: a ball that stays on the shaken floor is followed for as lon
 }
 
 TEST_CASE("stage 6: who looks at a run does not change it, and a saved run goes on to the bit") {
-  for (const Method method : {Method::reference, Method::rk4_events, Method::flight_rk4}) {
+  for (const Method method : {methods::reference, methods::rk4_events, methods::flight_rk4}) {
     for (const char* law : {"relative", "absolute", "fixed-switch"}) {
       const auto fresh = [&] {
-        Run run;
+        FloorRun run;
         find_parameter(run.parameters(), "floor_law").set(law);
         find_parameter(run.parameters(), "contact").set("push-only");
         run.use_method(method);
         run.restart();
         return run;
       };
-      Run whole = fresh(), parts = fresh();
+      FloorRun whole = fresh(), parts = fresh();
       whole.advance_to(3);
       for (int i = 1; i <= 30; ++i) {
         parts.advance_to(i * 0.1);
-        Run again = fresh();
+        FloorRun again = fresh();
         again.recall(parts.memory());
         parts = again;
       }
       CAPTURE(name_of(method));
       CAPTURE(law);
-      if (method == Method::reference) {
+      if (method == methods::reference) {
         CHECK(parts.values() == whole.values());
       } else {  // the cuts lie on whole steps; only the rounding of the times differs
         CHECK(parts.values()[1] == doctest::Approx(whole.values()[1]).epsilon(1e-11));

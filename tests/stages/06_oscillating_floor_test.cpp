@@ -11,7 +11,7 @@
 #include "06_oscillating_floor/slider/steady_hand.hpp"
 #include "06_oscillating_floor/sweep/sweep.hpp"
 #include "methods.hpp"
-#include "physics/event_driven.hpp"
+#include "physics/events/event_driven.hpp"
 #include "physics/text.hpp"
 #include "run_program.hpp"
 

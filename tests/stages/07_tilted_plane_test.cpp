@@ -20,14 +20,14 @@ using Eigen::Vector3d;
 
 namespace {
 
-using Run3 = SceneSimulation<Damping, DampingExact>;
-using Run4 = SceneSimulation<ThreeDimensions, ThreeDimensionsExact>;
-using Run7 = SceneSimulation<TiltedPlane, TiltedPlaneExact>;
+using Run3 = OneBallRun<Damping, DampingExact>;
+using Run4 = OneBallRun<ThreeDimensions, ThreeDimensionsExact>;
+using Run7 = OneBallRun<TiltedPlane, TiltedPlaneExact>;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double g = 9.81;
-const std::vector<Method> all_methods{Method::explicit_euler, Method::semi_implicit_euler,
-                                      Method::velocity_verlet, Method::rk4, Method::exact};
+const std::vector<Method> all_methods{methods::explicit_euler, methods::semi_implicit_euler,
+                                      methods::velocity_verlet, methods::rk4, methods::exact};
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
@@ -63,7 +63,7 @@ TEST_CASE("stage 7: without gravity and damper the plane is a mirror") {
     const Vector3d before = n.dot(velocity) < 0 ? velocity : Vector3d(-velocity);
     const Vector3d mirrored = before - 2 * n.dot(before) * n;
     for (const Method method :
-         {Method::semi_implicit_euler, Method::velocity_verlet, Method::rk4, Method::exact}) {
+         {methods::semi_implicit_euler, methods::velocity_verlet, methods::rk4, methods::exact}) {
       for (const double dt : {1e-3, 1e-4, 1e-5}) {
         Run7 run = run_with<Run7>({{"gravity", "0"},
                                    {"damping", "0"},
@@ -73,7 +73,7 @@ TEST_CASE("stage 7: without gravity and damper the plane is a mirror") {
                                   method, dt);
         run.advance_to(1);
         const Vector3d miss = run.state().velocity - mirrored;
-        const bool exact = method == Method::exact;
+        const bool exact = method == methods::exact;
         const double rounding = exact ? 20 * epsilon : 2 / dt * epsilon;
         const double normal_tolerance =
             exact ? rounding : 0.1251 * omega0 * dt * omega0 * dt * std::abs(n.dot(before));
@@ -109,7 +109,7 @@ TEST_CASE("stage 7: across the plane it is stage 3 with gravity's normal compone
             space.advance_to(t);
             // The distance is made of coordinates below L = 21 m and rounds like them, in each of
             // N steps; an error of the velocity, below 20 m/s, counts for the time t after it.
-            const double N = method == Method::exact ? 50 : t / dt;
+            const double N = method == methods::exact ? 50 : t / dt;
             const double tolerance = 3 * N * epsilon * 21 * (1 + t);
             const double distance = n.dot(space.state().position);
             const std::string name = name_of(method), normal = text(n);
@@ -146,11 +146,11 @@ TEST_CASE("stage 7: a ball at rest on the slope slides down at g sin(angle)") {
                                   method, dt);
         for (const double t : {0.5, 1.0, 2.0}) {
           run.advance_to(t);
-          const double error_of_method = method == Method::explicit_euler        ? -a * t * dt / 2
-                                         : method == Method::semi_implicit_euler ? a * t * dt / 2
-                                                                                 : 0;
+          const double error_of_method = method == methods::explicit_euler        ? -a * t * dt / 2
+                                         : method == methods::semi_implicit_euler ? a * t * dt / 2
+                                                                                  : 0;
           const Vector3d expected = start + (a * t * t / 2 + error_of_method) * downhill;
-          const double N = method == Method::exact ? 20 : t / dt;
+          const double N = method == methods::exact ? 20 : t / dt;
           const double tolerance = 3 * N * epsilon * 20 * (1 + t);  // positions below 20 m
           const Vector3d miss = run.state().position - expected;
           const std::string name = name_of(method);
@@ -191,7 +191,7 @@ TEST_CASE("stage 7: only the direction of the normal counts") {
       for (const double factor : {1e-12, 0.1, 3.0, 7e9}) {
         // The unit normal then differs in its last bit: as if the plane were turned by an epsilon,
         // which after N roundings in positions below 10 m is no more than they are.
-        const double N = method == Method::exact ? 50 : 2 / dt;
+        const double N = method == methods::exact ? 50 : 2 / dt;
         const double miss = (end_of_run(factor, method, dt).position - one.position).norm();
         CAPTURE(factor);
         CHECK(miss <= 3 * N * epsilon * 10 * (1 + 2));
@@ -260,7 +260,7 @@ TEST_CASE("stage 7: hops on a slope grow like 1 : 2 : 3 : 4, and the beat does n
                                {"damping", "0"},
                                {"stiffness", "1e6"},
                                {"position", text({0, h + r / std::cos(angle), 0})}},
-                              Method::exact);
+                              methods::exact);
     std::vector<double> times, places;  // of the touches, along the slope
     while (times.size() < 5) {
       run.advance_to(run.next_event());
@@ -294,8 +294,8 @@ TEST_CASE("stage 7: a plane may hang over the ball") {
                                 {"damping", to_text(c)},   {"contact", contact},
                                 {"position", "0.2,0.1,0"}, {"velocity", "0.1,5,0"}};
         const double dt = 1e-6;
-        Run7 exact = run_with<Run7>(settings, Method::exact);
-        Run7 steps = run_with<Run7>(settings, Method::rk4, dt);
+        Run7 exact = run_with<Run7>(settings, methods::exact);
+        Run7 steps = run_with<Run7>(settings, methods::rk4, dt);
         for (const double t : {0.1, 0.2, 0.5}) {
           exact.advance_to(t);
           steps.advance_to(t);

@@ -12,7 +12,7 @@
 #include "07_tilted_plane/tilted_plane.hpp"
 #include "08_racket_game/racket_game.hpp"
 #include "08_racket_game/run/contact_steps.hpp"
-#include "08_racket_game/run/racket_run.hpp"
+#include "08_racket_game/run/options.hpp"
 #include "run/save_load.hpp"
 #include "run_program.hpp"
 #include "stages/scene_simulations.hpp"
@@ -23,11 +23,11 @@ using Ball = State<Vector3d>;
 
 namespace {
 
-using Run7 = SceneSimulation<TiltedPlane, TiltedPlaneExact>;
+using Run7 = OneBallRun<TiltedPlane, TiltedPlaneExact>;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-const std::vector<Method> stepping{Method::explicit_euler, Method::semi_implicit_euler,
-                                   Method::velocity_verlet, Method::rk4};
+const std::vector<Method> stepping{methods::explicit_euler, methods::semi_implicit_euler,
+                                   methods::velocity_verlet, methods::rk4};
 
 using Words = std::vector<std::pair<std::string, std::string>>;
 
@@ -41,14 +41,14 @@ void set_up(Simulation& run, const Words& words, Method method, double dt) {
 }
 
 /// Ball and racket in uniform motion.
-RacketRun bare(const Words& words, Method method, double dt = 1e-3) {
-  RacketRun run;
-  run.play_as(PlayerKind::none);
+BareRacketRun bare(const Words& words, Method method, double dt = 1e-3) {
+  BareRacketRun run;
   set_up(run, words, method, dt);
   return run;
 }
 
-Ball ball_of(const RacketRun& run) { return run.round().ball; }
+Ball ball_of(const BareRacketRun& run) { return run.state(); }
+Ball ball_of(const GameRun& run) { return run.round().ball; }
 
 /// The hard case: a racket that moves by five ball radii a step, and a contact shorter than a step.
 const Words fast_racket{
@@ -169,9 +169,9 @@ TEST_CASE("stage 8: exact over the disc is stage 7's exact, seen from the moving
                              {"position", "0,1,0"}});
     plane.insert(plane.end(),
                  {{"normal", text(normal)}, {"velocity", "0.1,0,0"}, {"position", "0,1,0"}});
-    RacketRun run = bare(disc, Method::exact);
+    BareRacketRun run = bare(disc, methods::exact);
     Run7 other;
-    set_up(other, plane, Method::exact, 1e-3);
+    set_up(other, plane, methods::exact, 1e-3);
     for (double t = 0.1; t < 5; t += 0.1) {
       run.advance_to(t);
       other.advance_to(t);
@@ -185,14 +185,14 @@ TEST_CASE("stage 8: exact over the disc is stage 7's exact, seen from the moving
 }
 
 TEST_CASE("stage 8: a fast racket hits once, as exact says") {
-  RacketRun exact = bare(fast_racket, Method::exact);
+  BareRacketRun exact = bare(fast_racket, methods::exact);
   exact.advance_to(0.3);
   const Ball expected = ball_of(exact);
   CHECK(expected.velocity.y() > 25);
   for (const Method method : stepping) {
     // Whatever part of a step lies before the touch.
     for (const double dt : {0.01, 0.0097, 0.011, 0.05, 1e-3}) {
-      RacketRun run = bare(fast_racket, method, dt);
+      BareRacketRun run = bare(fast_racket, method, dt);
       run.advance_to(0.3);
       const std::string name = name_of(method);
       CAPTURE(name);
@@ -201,7 +201,7 @@ TEST_CASE("stage 8: a fast racket hits once, as exact says") {
       // omega0 h = 0.001: explicit Euler gains pi/2 of that, the others stay far below.
       CHECK((ball_of(run).position - expected.position).norm() < 1e-3 * 7);
       CHECK((ball_of(run).velocity - expected.velocity).norm() < 1e-3 * 28);
-      if (method == Method::explicit_euler) continue;
+      if (method == methods::explicit_euler) continue;
       CHECK((ball_of(run).position - expected.position).norm() < 1e-3);
       CHECK((ball_of(run).velocity - expected.velocity).norm() < 1e-3);
     }
@@ -250,14 +250,14 @@ TEST_CASE("stage 8: a racket that tilts fast does not pass through the ball") {
 
 TEST_CASE("stage 8: whoever moves with constant velocity sees the shifted movement") {
   const Vector3d u(3, -2, 1);
-  for (const Method method : {Method::explicit_euler, Method::semi_implicit_euler,
-                              Method::velocity_verlet, Method::rk4, Method::exact}) {
+  for (const Method method : {methods::explicit_euler, methods::semi_implicit_euler,
+                              methods::velocity_verlet, methods::rk4, methods::exact}) {
     const Words still{
         {"position", "0.02,0.6,0.1"}, {"racket_normal", "0.01,1,0"}, {"racket_radius", "2"}};
     Words moving = still;
     moving.push_back({"velocity", text(u)});
     moving.push_back({"racket_velocity", text(u)});
-    RacketRun run = bare(still, method), other = bare(moving, method);
+    BareRacketRun run = bare(still, method), other = bare(moving, method);
     for (double t = 0.25; t <= 2; t += 0.25) {
       run.advance_to(t);
       other.advance_to(t);
@@ -274,7 +274,8 @@ TEST_CASE("stage 8: whoever moves with constant velocity sees the shifted moveme
 
 TEST_CASE("stage 8: the rim throws the ball outwards, and the disc is as large as it counts") {
   const auto after = [](double x) {
-    RacketRun run = bare({{"position", text(Vector3d(x, 0.5, 0))}, {"damping", "0"}}, Method::rk4);
+    BareRacketRun run =
+        bare({{"position", text(Vector3d(x, 0.5, 0))}, {"damping", "0"}}, methods::rk4);
     run.advance_to(0.5);
     return ball_of(run);
   };
@@ -301,7 +302,7 @@ TEST_CASE("stage 8: exact knows which ball meets the rim") {
 
 TEST_CASE("stage 8: a ball that comes up beside the disc lands on it") {
   const Words words{{"position", "0.6,-0.5,0"}, {"velocity", "-0.5,5,0"}};
-  RacketRun exact = bare(words, Method::exact), stepped = bare(words, Method::rk4);
+  BareRacketRun exact = bare(words, methods::exact), stepped = bare(words, methods::rk4);
   exact.advance_to(1.5);
   stepped.advance_to(1.5);
   CHECK(ball_of(exact).position.y() > 0.1);
@@ -312,16 +313,16 @@ TEST_CASE("stage 8: a ball that comes up beside the disc lands on it") {
 
 namespace {
 
-RacketRun game(PlayerKind player, std::uint64_t seed, const Words& words = {}) {
-  RacketRun run;
+GameRun game(PlayerKind player, std::uint64_t seed, const Words& words = {}) {
+  GameRun run;
   run.play_as(player);
   run.use_seed(seed);
-  set_up(run, words, Method::semi_implicit_euler, 1e-3);
+  set_up(run, words, methods::semi_implicit_euler, 1e-3);
   return run;
 }
 
 /// Tops of the ball's flights in `seconds`, as heights of its centre [m].
-std::vector<double> tops(RacketRun& run, double seconds) {
+std::vector<double> tops(GameRun& run, double seconds) {
   std::vector<double> heights;
   double before = 0;
   while (run.time() < seconds) {
@@ -389,7 +390,7 @@ TEST_CASE("stage 8: the racket follows within its limits and does not overshoot"
 // Four test cases, so that each is short in a build with sanitizers too.
 static void autopilot_keeps_it_up(std::uint64_t first_seed) {
   for (std::uint64_t seed = first_seed; seed < first_seed + 5; ++seed) {
-    RacketRun run = game(PlayerKind::autopilot, seed);
+    GameRun run = game(PlayerKind::autopilot, seed);
     while (run.round().score.hits < 200 && !run.round().score.lost && run.time() < 400) {
       run.advance_to(run.time() + 1);
     }
@@ -405,7 +406,7 @@ TEST_CASE("stage 8: the autopilot makes 200 hits, seeds 16 to 20") { autopilot_k
 
 TEST_CASE("stage 8: who does nothing loses") {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    RacketRun run = game(PlayerKind::idle, seed);
+    GameRun run = game(PlayerKind::idle, seed);
     run.advance_to(10);
     CAPTURE(seed);
     CHECK(run.round().score.lost);
@@ -414,7 +415,7 @@ TEST_CASE("stage 8: who does nothing loses") {
 }
 
 TEST_CASE("stage 8: the assist takes all of the aim off the player, but not the swing") {
-  RacketRun run = game(PlayerKind::human, 7, {{"assist", "100"}});
+  GameRun run = game(PlayerKind::human, 7, {{"assist", "100"}});
   while (run.time() < 60 && !run.round().score.lost) {
     Input input;  // a player who never moves, and swings when the ball comes down
     const Ball ball = ball_of(run);
@@ -430,12 +431,12 @@ TEST_CASE("stage 8: the assist takes all of the aim off the player, but not the 
 TEST_CASE("stage 8: blind, struck while the racket slows down, the ball comes back by itself") {
   // After Schaal, Sternad and Atkeson (1996): stable while the racket's acceleration at the hit is
   // between -2 g (1 + e^2) / (1 + e)^2 = -9.93 m/s^2 and 0. Here it is -4.8.
-  RacketRun steady = game(PlayerKind::blind, 1, {{"knock", "0"}});
+  GameRun steady = game(PlayerKind::blind, 1, {{"knock", "0"}});
   const std::vector<double> rest = tops(steady, 100);
   REQUIRE(rest.size() > 100);
   const double height = rest.back();
   for (const char* knock : {"0.2", "-0.2"}) {
-    RacketRun run = game(PlayerKind::blind, 1, {{"knock", knock}});
+    GameRun run = game(PlayerKind::blind, 1, {{"knock", knock}});
     const std::vector<double> after = tops(run, 30);
     REQUIRE(after.size() > 25);
     CAPTURE(knock);
@@ -450,7 +451,7 @@ TEST_CASE("stage 8: blind, struck while the racket slows down, the ball comes ba
 
 TEST_CASE("stage 8: blind, struck while the racket speeds up, the ball wanders or dies") {
   for (const char* knock : {"0.2", "-0.2", "0.05"}) {
-    RacketRun run = game(PlayerKind::blind, 1, {{"knock", knock}, {"strike", "speeding"}});
+    GameRun run = game(PlayerKind::blind, 1, {{"knock", knock}, {"strike", "speeding"}});
     const double height = game(PlayerKind::blind, 1, {{"knock", "0"}, {"strike", "speeding"}})
                               .round()
                               .ball.position.y();
@@ -469,7 +470,7 @@ TEST_CASE("stage 8: a recorded round comes again to the bit") {
   namespace fs = std::filesystem;
   const std::string path = (fs::temp_directory_path() / "bounce_stage_8_input").string();
   const auto log = std::make_shared<InputLog>();
-  RacketRun run = game(PlayerKind::human, 11, {{"assist", "60"}, {"racket_radius", "0.35"}});
+  GameRun run = game(PlayerKind::human, 11, {{"assist", "60"}, {"racket_radius", "0.35"}});
   run.record(log);
   run.restart();
   // Frames of different lengths, and a hand that moves.
@@ -481,7 +482,7 @@ TEST_CASE("stage 8: a recorded round comes again to the bit") {
   }
   write_input_log(path, *log);
 
-  RacketRun again;
+  GameRun again;
   again.replay(std::make_shared<const InputLog>(read_input_log(path)));
   again.restart();
   again.advance_to(run.time());
@@ -496,22 +497,22 @@ TEST_CASE("stage 8: a saved game goes on as if it had not stopped") {
   const std::string path =
       (std::filesystem::temp_directory_path() / "bounce_stage_8_saved").string();
   const StageName stage{"08_racket_game", ""};
-  RacketRun whole = game(PlayerKind::autopilot, 3);
+  GameRun whole = game(PlayerKind::autopilot, 3);
   whole.advance_to(4.321);
   save_state(path, stage, whole);
   whole.advance_to(9);
-  RacketRun resumed;  // the file says who plays, and with which seed
+  GameRun resumed;  // the file says who plays, and with which seed
   load_state(path, stage, resumed);
   resumed.advance_to(9);
   CHECK(ball_of(resumed).position == ball_of(whole).position);
   CHECK(resumed.round().score.hits == whole.round().score.hits);
 
-  for (const Method method : {Method::semi_implicit_euler, Method::reference, Method::exact}) {
-    RacketRun ball = bare({{"racket_velocity", "0,0.5,0"}}, method);
+  for (const Method method : {methods::semi_implicit_euler, methods::reference, methods::exact}) {
+    BareRacketRun ball = bare({{"racket_velocity", "0,0.5,0"}}, method);
     ball.advance_to(0.4271);
     save_state(path, stage, ball);
     ball.advance_to(2);
-    RacketRun other;
+    BareRacketRun other;
     load_state(path, stage, other);
     other.advance_to(2);
     const std::string name = name_of(method);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "08_racket_game/racket_game.hpp"
-#include "08_racket_game/run/racket_run.hpp"
+#include "08_racket_game/run/options.hpp"
 #include "run_program.hpp"
 #include "stages/racket_reference_values.hpp"
 
@@ -19,9 +19,9 @@ using Ball = State<Vector3d>;
 namespace {
 
 /// "name=value name=value" with ball and racket alone.
-RacketRun run_of(const std::string& settings, Method method, double tolerance, double dt = 1e-3) {
-  RacketRun run;
-  run.play_as(PlayerKind::none);
+BareRacketRun run_of(const std::string& settings, Method method, double tolerance,
+                     double dt = 1e-3) {
+  BareRacketRun run;
   std::istringstream words(settings);
   for (std::string word; words >> word;) {
     const std::size_t equals = word.find('=');
@@ -37,11 +37,11 @@ RacketRun run_of(const std::string& settings, Method method, double tolerance, d
 /// The largest distances to the committed values.
 StateError largest_error(const test::RacketReferenceCase& it, Method method, double tolerance,
                          double dt = 1e-3) {
-  RacketRun run = run_of(it.settings, method, tolerance, dt);
+  BareRacketRun run = run_of(it.settings, method, tolerance, dt);
   StateError largest{0, 0};
   for (const auto& row : it.rows) {
     run.advance_to(row[0]);
-    const Ball ball = run.round().ball;
+    const Ball ball = run.state();
     const Vector3d position(row[1], row[2], row[3]), velocity(row[4], row[5], row[6]);
     largest.position = std::max(largest.position, (ball.position - position).norm());
     largest.velocity = std::max(largest.velocity, (ball.velocity - velocity).norm());
@@ -116,9 +116,9 @@ TEST_CASE("stage 8: whoever let off, or came along beside the disc, meets the ri
 }
 
 TEST_CASE("stage 8: without a damper the energy is kept, through the disc and out over its rim") {
-  RacketRun run = run_of(through_disc, Method::reference, 1e-12);
+  BareRacketRun run = run_of(through_disc, methods::reference, 1e-12);
   const auto energy = [&] {  // seen from the racket, where nothing gives or takes
-    Ball ball = run.round().ball;
+    Ball ball = run.state();
     ball.velocity -= Vector3d(0.5, -1, 0.2);
     ball.position -= Vector3d(0.5, -1, 0.2) * run.time();
     return ball.velocity.squaredNorm() / 2 + 9.81 * ball.position.y();
@@ -127,7 +127,7 @@ TEST_CASE("stage 8: without a damper the energy is kept, through the disc and ou
   bool was_through = false;
   for (double t = 1e-3; t < 0.2; t += 1e-3) {
     run.advance_to(t);
-    was_through = was_through || run.round().through;
+    was_through = was_through || run.world().through;
   }
   CHECK(was_through);
   CHECK(energy() == doctest::Approx(before).epsilon(1e-11));
@@ -137,7 +137,7 @@ TEST_CASE("stage 8: without a damper the energy is kept, through the disc and ou
 
 TEST_CASE("stage 8: reference is right to 1e-11 m on face, rim and beyond (34-digit values)") {
   for (const test::RacketReferenceCase& it : test::racket_reference_cases) {
-    const StateError error = largest_error(it, Method::reference, 1e-12);
+    const StateError error = largest_error(it, methods::reference, 1e-12);
     CAPTURE(it.name);
     CHECK(error.position < 1e-11);
     CHECK(error.velocity < 1e-11);
@@ -147,7 +147,7 @@ TEST_CASE("stage 8: reference is right to 1e-11 m on face, rim and beyond (34-di
 TEST_CASE("stage 8: the error of reference follows its tolerance") {
   for (const test::RacketReferenceCase& it : test::racket_reference_cases) {
     for (const double tolerance : {1e-6, 1e-8, 1e-10}) {
-      const StateError error = largest_error(it, Method::reference, tolerance);
+      const StateError error = largest_error(it, methods::reference, tolerance);
       CAPTURE(it.name);
       CAPTURE(tolerance);
       // Of speeds up to 20 m/s, over a contact and a flight of half a second.
@@ -163,8 +163,8 @@ TEST_CASE("stage 8: stepping methods follow the same law over the rim and beyond
   // kinks.
   for (const test::RacketReferenceCase& it : test::racket_reference_cases) {
     CAPTURE(it.name);
-    CHECK(largest_error(it, Method::rk4, 1e-12, 1e-3).position < 1e-4);
-    CHECK(largest_error(it, Method::velocity_verlet, 1e-12, 1e-2).position < 1e-3);
+    CHECK(largest_error(it, methods::rk4, 1e-12, 1e-3).position < 1e-4);
+    CHECK(largest_error(it, methods::velocity_verlet, 1e-12, 1e-2).position < 1e-3);
   }
 }
 
@@ -174,23 +174,23 @@ TEST_CASE("stage 8: on the face reference agrees with exact to 1e-11 m") {
       const std::string settings = "contact=" + contact + " damping=" + damping +
                                    " racket_normal=0.05,1,0.02 racket_radius=50 "
                                    "racket_velocity=0.2,1.5,-0.1";
-      RacketRun exact = run_of(settings, Method::exact, 1e-12);
-      RacketRun run = run_of(settings, Method::reference, 1e-12);
+      BareRacketRun exact = run_of(settings, methods::exact, 1e-12);
+      BareRacketRun run = run_of(settings, methods::reference, 1e-12);
       for (double t = 0.1; t < 3; t += 0.1) {
         exact.advance_to(t);
         run.advance_to(t);
         CAPTURE(settings);
         CAPTURE(t);
-        REQUIRE((run.round().ball.position - exact.round().ball.position).norm() < 1e-11);
-        REQUIRE((run.round().ball.velocity - exact.round().ball.velocity).norm() < 1e-10);
+        REQUIRE((run.state().position - exact.state().position).norm() < 1e-11);
+        REQUIRE((run.state().velocity - exact.state().velocity).norm() < 1e-10);
       }
     }
   }
 }
 
 TEST_CASE("stage 8: reference does not depend on who looks") {
-  RacketRun once = run_of(through_disc, Method::reference, 1e-10);
-  RacketRun often = run_of(through_disc, Method::reference, 1e-10);
+  BareRacketRun once = run_of(through_disc, methods::reference, 1e-10);
+  BareRacketRun often = run_of(through_disc, methods::reference, 1e-10);
   once.advance_to(0.5);
   for (double t = 0; t < 0.5; t += 0.0007) often.advance_to(t);
   often.advance_to(0.5);
@@ -198,16 +198,16 @@ TEST_CASE("stage 8: reference does not depend on who looks") {
 }
 
 TEST_CASE("stage 8: from a touch without speed the ball falls off, and from rest on it, it stays") {
-  RacketRun hangs = run_of("position=0,-0.1,0", Method::reference, 1e-12);
+  BareRacketRun hangs = run_of("position=0,-0.1,0", methods::reference, 1e-12);
   hangs.advance_to(1);
-  CHECK(hangs.round().ball.position.y() == doctest::Approx(-0.1 - 9.81 / 2).epsilon(1e-12));
-  RacketRun lies = run_of("position=0,0.1,0 damping=150", Method::reference, 1e-12);
+  CHECK(hangs.state().position.y() == doctest::Approx(-0.1 - 9.81 / 2).epsilon(1e-12));
+  BareRacketRun lies = run_of("position=0,0.1,0 damping=150", methods::reference, 1e-12);
   lies.advance_to(10);
-  CHECK(lies.round().ball.position.y() == doctest::Approx(0.1 - 9.81e-4).epsilon(1e-9));
+  CHECK(lies.state().position.y() == doctest::Approx(0.1 - 9.81e-4).epsilon(1e-9));
 }
 
 TEST_CASE("stage 8: where exact ends at the rim, the others are compared with reference") {
-  RacketRun run = run_of("position=0.35,1,0", Method::rk4, 1e-12);
+  BareRacketRun run = run_of("position=0.35,1,0", methods::rk4, 1e-12);
   run.advance_to(0.6);
   REQUIRE(run.error());
   CHECK(run.error()->position < 1e-4);
@@ -235,7 +235,7 @@ namespace {
 
 /// When `exact` meets the rim [s]; negative when it does not.
 double meets_rim(const std::string& settings, double until) {
-  RacketRun run = run_of(settings, Method::exact, 1e-12);
+  BareRacketRun run = run_of(settings, methods::exact, 1e-12);
   try {
     run.advance_to(until);
   } catch (const NoClosedForm& end) {
@@ -294,9 +294,9 @@ TEST_CASE("stage 8: a racket as small as a point, or smaller than a rounding, is
     CAPTURE(radius);
     const std::string small = std::string("racket_radius=") + radius + " racket_position=1,0,0 ";
     // Straight onto it: face to face. A little beside: the rim, after the same fall of 0.9 m.
-    RacketRun centred = run_of(small + "position=1,1,0", Method::exact, 1e-12);
+    BareRacketRun centred = run_of(small + "position=1,1,0", methods::exact, 1e-12);
     centred.advance_to(1);
-    CHECK(centred.round().ball.position.y() > 0.1);
+    CHECK(centred.state().position.y() > 0.1);
     const double t = meets_rim(small + "position=1.01,1,0", 1);
     const double fall = 1 - std::sqrt(0.1 * 0.1 - 0.01 * 0.01);
     if (std::string(radius) != "1e-3") {
@@ -305,12 +305,12 @@ TEST_CASE("stage 8: a racket as small as a point, or smaller than a rounding, is
       CHECK(t > 0);
     }
     // From there on the reference knows what happens; and all methods the same.
-    RacketRun reference = run_of(small + "position=1.01,1,0", Method::reference, 1e-12);
-    RacketRun stepped = run_of(small + "position=1.01,1,0", Method::rk4, 1e-12);
+    BareRacketRun reference = run_of(small + "position=1.01,1,0", methods::reference, 1e-12);
+    BareRacketRun stepped = run_of(small + "position=1.01,1,0", methods::rk4, 1e-12);
     reference.advance_to(0.6);
     stepped.advance_to(0.6);
-    CHECK(reference.round().ball.velocity.x() > 0.1);
-    CHECK((reference.round().ball.position - stepped.round().ball.position).norm() < 1e-3);
+    CHECK(reference.state().velocity.x() > 0.1);
+    CHECK((reference.state().position - stepped.state().position).norm() < 1e-3);
   }
 }
 
@@ -324,30 +324,31 @@ TEST_CASE("stage 8: what the racket gave and the damper took is told apart; the 
     CAPTURE(settings);
     double coarse = 0;
     for (const double dt : {1e-3, 2.5e-4}) {
-      RacketRun run = run_of(settings, Method::rk4, 1e-12, dt);
+      BareRacketRun run = run_of(settings, methods::rk4, 1e-12, dt);
       run.keep_energy_book(true);
       run.restart();
       const double start = run.energy().total();
       run.advance_to(0.9);
-      const double error = run.energy().total() + run.energy_lost() - run.energy_before();
+      const double error =
+          run.energy().total() + run.energy_account().lost - run.energy_account().before;
       CAPTURE(dt);
-      CAPTURE(run.energy_lost());
+      CAPTURE(run.energy_account().lost);
       // What went missing is not small, and the book finds all of it. Each contact is cut into 3000
       // pieces of 2e-5 s and less; a touch or let-go within one is counted by a piece too much.
-      if (settings != "damping=0") CHECK(run.energy_lost() > 0.02 * start);
+      if (settings != "damping=0") CHECK(run.energy_account().lost > 0.02 * start);
       if (settings.find("racket_velocity") != std::string::npos) {
-        CHECK(std::abs(run.energy_before() - start) > 0.02 * start);
+        CHECK(std::abs(run.energy_account().before - start) > 0.02 * start);
       }
       CHECK(std::abs(error) < 1e-3 * start);
       if (coarse == 0) coarse = error;
     }
     CHECK(coarse != 0);  // a number that says something
     // By events there is no error: the work of the racket and of the damper balance.
-    RacketRun reference = run_of(settings, Method::reference, 1e-12);
+    BareRacketRun reference = run_of(settings, methods::reference, 1e-12);
     const double start = reference.energy().total();
     reference.advance_to(0.9);
-    CHECK(reference.energy_before() - reference.energy_lost() ==
+    CHECK(reference.energy_account().before - reference.energy_account().lost ==
           doctest::Approx(reference.energy().total()).epsilon(1e-12));
-    CHECK(reference.energy_lost() > -1e-9 * start);
+    CHECK(reference.energy_account().lost > -1e-9 * start);
   }
 }

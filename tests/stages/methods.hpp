@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "physics/integrators.hpp"
+#include "physics/methods/stepping_methods.hpp"
 
 namespace bounce::test {
 

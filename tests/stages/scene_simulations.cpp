@@ -2,8 +2,8 @@
 
 namespace bounce {
 
-template class SceneSimulation<SpringFloor, SpringFloorExact>;
-template class SceneSimulation<Damping, DampingExact>;
-template class SceneSimulation<OscillatingFloor, OscillatingFloorExact>;
+template class RunOf<OneBallWorld<SpringFloor, SpringFloorExact>>;
+template class RunOf<OneBallWorld<Damping, DampingExact>>;
+template class RunOf<OneBallWorld<OscillatingFloor, OscillatingFloorExact>>;
 
 }  // namespace bounce

@@ -11,16 +11,16 @@
 #include "06_oscillating_floor/oscillating_floor.hpp"
 #include "07_tilted_plane/exact.hpp"
 #include "07_tilted_plane/tilted_plane.hpp"
-#include "run/scene_simulation.hpp"
+#include "run/one_ball_run.hpp"
 
 namespace bounce {
 
 // Compiled once, in scene_simulations.cpp and scene_simulations_in_space.cpp: each takes some
 // seconds. (Free fall has no contact, and is small.)
-extern template class SceneSimulation<SpringFloor, SpringFloorExact>;
-extern template class SceneSimulation<Damping, DampingExact>;
-extern template class SceneSimulation<ThreeDimensions, ThreeDimensionsExact>;
-extern template class SceneSimulation<OscillatingFloor, OscillatingFloorExact>;
-extern template class SceneSimulation<TiltedPlane, TiltedPlaneExact>;
+extern template class RunOf<OneBallWorld<SpringFloor, SpringFloorExact>>;
+extern template class RunOf<OneBallWorld<Damping, DampingExact>>;
+extern template class RunOf<OneBallWorld<ThreeDimensions, ThreeDimensionsExact>>;
+extern template class RunOf<OneBallWorld<OscillatingFloor, OscillatingFloorExact>>;
+extern template class RunOf<OneBallWorld<TiltedPlane, TiltedPlaneExact>>;
 
 }  // namespace bounce

@@ -2,7 +2,7 @@
 
 namespace bounce {
 
-template class SceneSimulation<ThreeDimensions, ThreeDimensionsExact>;
-template class SceneSimulation<TiltedPlane, TiltedPlaneExact>;
+template class RunOf<OneBallWorld<ThreeDimensions, ThreeDimensionsExact>>;
+template class RunOf<OneBallWorld<TiltedPlane, TiltedPlaneExact>>;
 
 }  // namespace bounce

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "05_ball_collision/run/balls_simulation.hpp"
+#include "05_ball_collision/run/balls_world.hpp"
 #include "many_balls/lammps_export.hpp"
 #include "many_balls/lammps_import.hpp"
 #include "run/headless.hpp"
@@ -30,18 +30,19 @@ inline void write_lammps_file(const OutputFolder& folder, const std::string& nam
 
 /// `--export-lammps DIR`: what is left of the run, as files for LAMMPS. Nothing, when it was not
 /// asked for. `command` is this stage's, with all parameters, for the way back.
-inline std::optional<int> export_lammps(const StageName& stage, BallsSimulation& simulation,
+inline std::optional<int> export_lammps(const StageName& stage, Simulation& any,
                                         const Options& options) {
   const auto asked = options.of_stage.find("--export-lammps");
   if (asked == options.of_stage.end()) return std::nullopt;
+  BallsRun& simulation = run_as<BallsRun>(any);
   const std::string given = "--export-lammps '" + asked->second + "' is not allowed: ";
-  if (simulation.method() != Method::velocity_verlet) {
+  if (simulation.method() != methods::velocity_verlet) {
     throw BadInput(given + "LAMMPS moves balls with velocity Verlet, not with " +
                    name_of(simulation.method()) + ": it must be --method velocity-verlet");
   }
   const double dt = simulation.dt();
   const many::LammpsTask task{
-      simulation.laws(),
+      simulation.world().laws(),
       simulation.scene().mass,
       simulation.scene().radius,
       simulation.state(),
@@ -56,7 +57,7 @@ inline std::optional<int> export_lammps(const StageName& stage, BallsSimulation&
                     [&](const many::Write& write) { many::write_lammps_data(task, write); });
   write_lammps_file(folder, "in.bounce",
                     [&](const many::Write& write) { write(many::lammps_script(task)); });
-  BallsSimulation fresh;
+  BallsRun fresh;
   const std::string back = command_for(stage, simulation, fresh);
   write_lammps_file(folder, "README", [&](const many::Write& write) {
     write(
@@ -77,8 +78,8 @@ inline std::optional<int> export_lammps(const StageName& stage, BallsSimulation&
 /// are those of the command line.
 inline void import_lammps(Simulation& simulation, const std::string& path) {
   const std::string option = "--import-lammps";
-  auto& balls = static_cast<BallsSimulation&>(simulation);
-  balls.continue_from(many::read_lammps_dump(option, path), option + " " + path);
+  continue_from(run_as<BallsRun>(simulation), many::read_lammps_dump(option, path),
+                option + " " + path);
 }
 
 }  // namespace bounce

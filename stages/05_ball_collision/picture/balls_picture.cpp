@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "05_ball_collision/picture/cover.hpp"
-#include "05_ball_collision/run/balls_simulation.hpp"
+#include "05_ball_collision/run/balls_world.hpp"
 #include "app/camera.hpp"
 #include "app/drawing.hpp"
 #include "app/layout.hpp"
@@ -29,9 +29,7 @@ constexpr double opening = 34;        // degrees
 constexpr double trail_length = 1.2;  // s
 constexpr double fastest_throw = 8;   // m/s
 
-const BallsSimulation& balls_of(const Player& player) {
-  return static_cast<const BallsSimulation&>(player.simulation());
-}
+const BallsRun& balls_of(const Player& player) { return run_as<BallsRun>(player.simulation()); }
 
 Vector3d position(const std::vector<double>& rows, std::size_t ball) {
   return {rows[7 * ball + 1], rows[7 * ball + 2], rows[7 * ball + 3]};
@@ -47,15 +45,15 @@ struct Sight {
   double steepness = 0.30;  // how far from above
 };
 
-Sight sight_of(const BallsSimulation& balls) {
-  if (balls.has_own_balls()) {
-    const Arrangement& start = *balls.own_balls();
+Sight sight_of(const BallsRun& balls) {
+  if (balls.world().own_balls) {
+    const Arrangement& start = *balls.world().own_balls;
     const Vector3d low = start.balls.position.rowwise().minCoeff();
     const Vector3d high = start.balls.position.rowwise().maxCoeff();
     return {(low + high) / 2, 2 * (high - low).norm() + 6 * start.radius.maxCoeff()};
   }
   const double width = std::max(balls.scene().tray[0], balls.scene().tray[1]);
-  switch (balls.chosen_scene()) {
+  switch (balls.world().choice.scene) {
     case BallScene::pair:
       return {{0, 0.1, 0}, 1.6};
     case BallScene::break_up:
@@ -179,28 +177,28 @@ void draw_arrows(Canvas& canvas, const Camera& camera, const BallCollision& scen
 /// In rows: the speed under each ball. In the tower: how high the small ball came.
 void draw_numbers(Canvas& canvas, const Camera& camera, const Player& player,
                   const std::vector<double>& rows, std::size_t balls) {
-  const BallsSimulation& simulation = balls_of(player);
+  const BallsRun& simulation = balls_of(player);
   char text[64];
-  if (simulation.has_own_balls()) return;
-  if (simulation.chosen_scene() == BallScene::cradle || balls == 2) {
+  if (simulation.world().own_balls) return;
+  if (simulation.world().choice.scene == BallScene::cradle || balls == 2) {
     for (std::size_t i = 0; i < balls && balls <= 7; ++i) {
       const double radius = simulation.scene().radius[static_cast<Eigen::Index>(i)];
       const Vector3d foot = position(rows, i) - Vector3d(0, radius, 0);
       if (!camera.sees(foot)) continue;
-      const bool row = simulation.chosen_scene() == BallScene::cradle;
+      const bool row = simulation.world().choice.scene == BallScene::cradle;
       const Vector3d v = velocity(rows, i);
       double speed = row ? v.x() : v.norm();
       if (std::abs(speed) < 5e-4) speed = 0;  // and not -0.000
       std::snprintf(text, sizeof text, row ? "%+.3f m/s" : "%.2f m/s", speed);
       const Point at = camera.at(foot);
-      if (simulation.chosen_scene() == BallScene::tower) {
+      if (simulation.world().choice.scene == BallScene::tower) {
         draw_label(canvas, {at.x + 34, at.y - 20}, text, palette::ink);
       } else {
         draw_label(canvas, {at.x, at.y + 12}, text, palette::ink, Align::centre);
       }
     }
   }
-  if (simulation.chosen_scene() != BallScene::tower) return;
+  if (simulation.world().choice.scene != BallScene::tower) return;
   // Heights of the small ball's centre above where it is when both lie on the floor, in falls.
   const double lying = 2 * simulation.scene().radius[0] + simulation.scene().radius[1];
   constexpr double fall = 0.8;
@@ -232,7 +230,7 @@ void draw_numbers(Canvas& canvas, const Camera& camera, const Player& player,
 }
 
 void draw_balls(Canvas& canvas, const Camera& camera, const Player& player, const View& view) {
-  const BallsSimulation& simulation = balls_of(player);
+  const BallsRun& simulation = balls_of(player);
   const BallCollision& scene = simulation.scene();
   const std::vector<double> rows = player.shown_values();
   const std::size_t count = simulation.balls();
@@ -276,7 +274,8 @@ void draw_balls(Canvas& canvas, const Camera& camera, const Player& player, cons
   Cover cover(layout::scene);
   std::erase_if(seen, [&](const Seen& ball) { return !cover.add(ball.centre, ball.radius); });
   const double mass = scene.mass.sum();
-  const double fast = std::sqrt(2 * std::max(std::abs(simulation.energy_before()), 1e-12) / mass);
+  const double fast =
+      std::sqrt(2 * std::max(std::abs(simulation.energy_account().before), 1e-12) / mass);
   for (auto ball = seen.rbegin(); ball != seen.rend(); ++ball) {
     canvas.ball(ball->centre, ball->radius, colour_of(ball->speed, fast));
   }
@@ -339,8 +338,9 @@ void use_balls_picture(Demo& demo) {
     canvas.pop_clip();
   };
   demo.is_over = [](const Player& player) {  // on the table all have left the picture by then
-    const BallsSimulation& balls = balls_of(player);
-    const bool on_table = balls.chosen_scene() <= BallScene::cradle && !balls.has_own_balls();
+    const BallsRun& balls = balls_of(player);
+    const bool on_table =
+        balls.world().choice.scene <= BallScene::cradle && !balls.world().own_balls;
     return on_table && balls.scene().gravity == 0 && player.shown_time() > 6;
   };
   const auto held = std::make_shared<std::size_t>(0);

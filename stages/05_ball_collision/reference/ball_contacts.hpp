@@ -8,7 +8,7 @@
 
 #include "05_ball_collision/ball_collision.hpp"
 #include "05_ball_collision/reference/touching.hpp"
-#include "physics/closed_form.hpp"
+#include "physics/events/closed_form.hpp"
 
 namespace bounce {
 
@@ -47,12 +47,19 @@ class BallContacts {
   void pass(const Watch& watch, double t, Balls& balls);
   double time_scale() const;
 
-  /// For saving and loading, as plain numbers: who touches or has let go. What does not fit the
-  /// balls is refused.
-  std::vector<double> phases() const;
-  bool recall_phases(std::span<const double> numbers);
+  /// Who touches or has let go. What does not fit the balls is refused.
+  template <class Self, class Visit>
+  static void remembered(Self& self, Visit& visit) {
+    if constexpr (Visit::reads) {
+      if (!self.recall_phases(visit.rest())) visit.refuse("who touches");
+    } else {
+      for (const double number : self.phases()) visit("who touches", number);
+    }
+  }
 
  private:
+  std::vector<double> phases() const;
+  bool recall_phases(std::span<const double> numbers);
   SpringDamper law_of(const Touching& two) const {
     return two.is_surface() ? scene_.floor_contact() : scene_.pair_contact();
   }

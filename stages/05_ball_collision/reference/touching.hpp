@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "05_ball_collision/ball_collision.hpp"
-#include "physics/closed_form.hpp"
+#include "physics/events/closed_form.hpp"
 
 namespace bounce {
 

@@ -3,23 +3,23 @@
 
 #include "05_ball_collision/files/balls_file.hpp"
 #include "05_ball_collision/files/lammps_exchange.hpp"
-#include "05_ball_collision/run/balls_simulation.hpp"
+#include "05_ball_collision/run/balls_world.hpp"
 #include "run/options.hpp"
 
 namespace bounce {
 
 /// What this stage's command line has besides that of all stages.
 inline std::vector<StageOption> ball_collision_options() {
-  const auto balls = [](Simulation& simulation, const std::string& path) {
-    static_cast<BallsSimulation&>(simulation).use_balls(BallsFile(path).read(), path);
+  const auto balls = [](std::unique_ptr<Simulation>& simulation, const std::string& path) {
+    run_as<BallsRun>(*simulation).world().use_balls(BallsFile(path).read(), path);
   };
-  const auto threads = [](Simulation& simulation, const std::string& text) {
+  const auto threads = [](std::unique_ptr<Simulation>& simulation, const std::string& text) {
     const std::optional<double> number = parse_number(text);
     if (!number || *number != std::floor(*number) || *number < 1 || *number > 1024) {
       throw BadInput("--threads '" + text +
                      "' is not allowed: it must be a whole number from 1 to 1024");
     }
-    static_cast<BallsSimulation&>(simulation).use_threads(static_cast<int>(*number));
+    run_as<BallsRun>(*simulation).world().threads = static_cast<int>(*number);
   };
   return {{"--balls",
            "FILE",

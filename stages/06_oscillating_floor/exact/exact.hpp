@@ -8,8 +8,8 @@
 
 #include "06_oscillating_floor/exact/forced_oscillator.hpp"
 #include "06_oscillating_floor/oscillating_floor.hpp"
-#include "physics/closed_form.hpp"
-#include "physics/first_zero.hpp"
+#include "physics/events/closed_form.hpp"
+#include "physics/events/first_zero.hpp"
 
 namespace bounce {
 

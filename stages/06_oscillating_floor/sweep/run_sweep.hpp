@@ -10,6 +10,7 @@
 #include "06_oscillating_floor/sweep/sweep.hpp"
 #include "app/demo.hpp"
 #include "run/interrupt.hpp"
+#include "run/one_ball_run.hpp"
 #include "run/output_file.hpp"
 
 namespace bounce {
@@ -30,10 +31,12 @@ inline void save_bifurcation(const std::vector<SweepRow>& rows, const Sweep& swe
 }
 
 /// `--sweep`: many bounces for each value of a parameter, as rows and as a picture.
-inline std::optional<int> run_sweep(OscillatingFloor scene, const Simulation& simulation,
-                                    const Options& options, const Demo& demo) {
+inline std::optional<int> run_sweep(const Simulation& simulation, const Options& options,
+                                    const Demo& demo) {
   const auto asked = options.of_stage.find("--sweep");
   if (asked == options.of_stage.end()) return std::nullopt;
+  using Its = OneBallRun<OscillatingFloor, OscillatingFloorExact>;
+  OscillatingFloor scene = run_as<Its>(simulation).scene();
   const Sweep sweep = read_sweep(asked->second, scene);
   if (options.csv.empty() && options.screenshot.empty()) {
     throw BadInput("--sweep needs a place for its result: give --csv FILE (or -), or --screenshot");

@@ -6,7 +6,7 @@
 
 #include "06_oscillating_floor/exact/exact.hpp"
 #include "06_oscillating_floor/slider/steady_hand.hpp"
-#include "physics/event_driven.hpp"
+#include "physics/events/event_driven.hpp"
 #include "physics/text.hpp"
 
 namespace bounce {

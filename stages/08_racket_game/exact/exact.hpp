@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "08_racket_game/racket_game.hpp"
-#include "physics/closed_form.hpp"
-#include "physics/first_zero.hpp"
+#include "physics/events/closed_form.hpp"
+#include "physics/events/first_zero.hpp"
 
 namespace bounce {
 

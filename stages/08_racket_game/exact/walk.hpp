@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "08_racket_game/exact/exact.hpp"
-#include "physics/event_driven.hpp"
+#include "physics/events/event_driven.hpp"
 #include "run/simulation.hpp"
 
 namespace bounce {
@@ -30,7 +30,7 @@ class RacketWalk {
   /// The state at `t`, before the next event. Throws NoClosedForm from the moment on at which the
   /// ball meets the rim.
   Ball at(double t) {
-    if (t >= dead_end_)
+    if (meets_rim_before(t))
       throw NoClosedForm(dead_end_,
                          "the ball meets the racket's rim, for which "
                          "there is no closed form,");
@@ -38,9 +38,22 @@ class RacketWalk {
   }
 
   double next_event() const { return dead_end_ < never ? never : walker_.next_event(); }
-  const EventDriven<RacketExact, Eigen::Vector3d>& walker() const { return walker_; }
-  void resume(double t, const Ball& seen_from_racket, Phase phase) {
-    walker_.resume(t, seen_from_racket, phase);
+  double last_event() const { return walker_.last_event(); }
+  bool meets_rim_before(double t) const { return t >= dead_end_; }
+  Phase phase() const { return walker_.phase(); }
+  const Ball& seen_at_last_event() const { return walker_.state_at_last_event(); }
+
+  Ball to_ground(const Ball& seen, double t) const {
+    const Disc disc = scene_.disc_at(t);
+    return {seen.position + disc.centre, seen.velocity + disc.velocity};
+  }
+
+  template <class Self, class Visit>
+  static void remembered(Self& self, Visit& visit) {
+    self.walker_.remembered(self.walker_, visit);
+  }
+  void resume() {
+    walker_.resume();
     dead_end_ = never;
   }
 
@@ -56,10 +69,6 @@ class RacketWalk {
   Ball from_racket(const Ball& ball, double t) const {
     const Disc disc = scene_.disc_at(t);
     return {ball.position - disc.centre, ball.velocity - disc.velocity};
-  }
-  Ball to_ground(const Ball& seen, double t) const {
-    const Disc disc = scene_.disc_at(t);
-    return {seen.position + disc.centre, seen.velocity + disc.velocity};
   }
 
   Racket scene_;

@@ -5,12 +5,12 @@
 #include <numbers>
 
 #include "08_racket_game/game/game.hpp"
-#include "physics/closed_form.hpp"
+#include "physics/events/closed_form.hpp"
 #include "physics/state.hpp"
 
 namespace bounce {
 
-enum class PlayerKind { human, autopilot, blind, idle, none };
+enum class PlayerKind { human, autopilot, blind, idle };
 
 /// What a player sees.
 struct Sight {

@@ -6,25 +6,15 @@
 #include "08_racket_game/game/game.hpp"
 #include "08_racket_game/game/input_log.hpp"
 #include "08_racket_game/game/players.hpp"
-#include "08_racket_game/racket_game.hpp"
+#include "08_racket_game/run/racket_setup.hpp"
 #include "physics/contact.hpp"
 
 namespace bounce {
 
-/// What a round is played with.
-struct Settings {
-  Racket racket;  // its disc: home, first radius; its gravity: the full one
-  State<Eigen::Vector3d> start{{0, 1, 0}, {0, 0, 0}};  // m, m/s; the serve is added
+/// What a round is played with: as set up (racket_setup.hpp), and by whom.
+struct Settings : RacketSetup {
   PlayerKind player = PlayerKind::human;
-  double assist = 30;                           // %
-  double knock = 0.2;                           // m, for the blind player's ball
-  enum { slowing, speeding } strike = slowing;  // how the blind player's racket meets the ball
   std::uint64_t seed = 1;
-
-  double restitution() const {
-    const SpringDamper contact{racket.stiffness, racket.damping, racket.contact};
-    return bounce::restitution(contact, racket.mass);
-  }
 };
 
 /// One round of the game, from the serve to the loss: all that the next step depends on.
@@ -46,17 +36,40 @@ struct Round {
   double touch_speed = 0;     // m/s
   double touch_clock = -1e9;  // s
   Eigen::Vector3d touch_place{0, 0, 0};
-};
 
-/// The racket remembers from one step to the next on which side of it the ball is.
-inline void begin_with(const Round& round, Racket& scene) {
-  scene.side = round.side;
-  scene.through = round.through;
-}
-inline void end_with(Round& round, const Racket& scene) {
-  round.side = scene.side;
-  round.through = scene.through;
-}
+  /// As in remembered.hpp.
+  template <class Self, class Visit>
+  static void remembered(Self& self, Visit& visit) {
+    constexpr long long most = 1'000'000'000'000'000'000, many = 2'000'000'000;
+    visit("ball", self.ball);
+    for (auto* follower :
+         {&self.grip.x, &self.grip.y, &self.grip.z, &self.grip.lean_x, &self.grip.lean_z}) {
+      visit("grip", follower->position);
+      visit("grip", follower->velocity);
+    }
+    for (auto* input : {&self.from, &self.to}) {
+      for (auto* number :
+           {&input->x, &input->z, &input->tilt_x, &input->tilt_z, &input->swing, &input->assist}) {
+        visit("input", *number);
+      }
+    }
+    visit("input_age", self.input_age);
+    visit("clock", self.clock);
+    visit("lost_clock", self.lost_clock);
+    visit("touch_speed", self.touch_speed);
+    visit("touch_clock", self.touch_clock);
+    visit("touch_place", self.touch_place);
+    visit.whole("side", self.side, -1, 1);
+    visit.whole("through", self.through, 0, 1);
+    visit.whole("steps", self.steps, 0, most);
+    visit.whole("number", self.number, 0, many);
+    visit.whole("touches", self.touches, 0, most);
+    visit.whole("hits", self.score.hits, 0, many);
+    visit.whole("best", self.score.best, 0, many);
+    visit.whole("touched", self.score.touched, 0, 1);
+    visit.whole("lost", self.score.lost, 0, 1);
+  }
+};
 
 /// Where the blind player's racket and ball are at the start: the ball at the top of its flight.
 struct BlindStart {
@@ -107,7 +120,7 @@ inline Round begin_round(const Settings& settings, int number, int best) {
     round.ball.position = home;
     round.ball.position.y() += settings.racket.radius + blind_start(settings).top + settings.knock;
     round.ball.velocity.setZero();
-  } else if (settings.player != PlayerKind::none) {
+  } else {
     round.ball.velocity += Eigen::Vector3d(0, 1.2, 0);
     round.ball.velocity += push(0.13, 0.25, settings.seed, static_cast<std::uint64_t>(number), 0);
   }
@@ -171,10 +184,12 @@ void step(const Settings& settings, Round& round, double dt, const MoveBall& mov
   scene.gravity = gravity_of(settings, round);
   scene.disc = disc;
   scene.since = 0;
-  begin_with(round, scene);
+  scene.side = round.side;
+  scene.through = round.through;
   const Eigen::Vector3d before = round.ball.velocity - scene.disc.velocity;
   const long long touches = move_ball(scene, round.ball, dt);
-  end_with(round, scene);
+  round.side = scene.side;
+  round.through = scene.through;
 
   const NearestPoint nearest = scene.nearest(scene.disc_at(dt), round.ball.position);
   if (touches > 0) {

@@ -11,6 +11,7 @@
 #include "app/layout.hpp"
 #include "app/palette.hpp"
 #include "app/space_drawing.hpp"
+#include "run/rows.hpp"
 
 namespace bounce {
 
@@ -47,9 +48,9 @@ Colour mixed(Colour from, Colour to, double share) {
   return {mix(from.red, to.red), mix(from.green, to.green), mix(from.blue, to.blue), 255};
 }
 
-double flash(const RacketRun& run, const View& view) {
-  const Round& round = run.round();
-  if (view.calm || !run.is_game()) return 0;
+double flash(const Court& court, const View& view) {
+  if (view.calm || !court.game) return 0;
+  const Round& round = court.game->round();
   return std::clamp(1 - (round.clock - round.touch_clock) / flash_lasts, 0.0, 1.0);
 }
 
@@ -95,14 +96,13 @@ void draw_disc_shadow(Canvas& canvas, const Camera& camera, const Disc& disc, do
 }
 
 /// Where the ball will come down to the racket's height: a cross, and a ring that closes.
-void draw_landing(Canvas& canvas, const Camera& camera, const RacketRun& run) {
-  const Sight sight = sight_of(run.settings(), run.round());
-  const double height = run.disc().centre.y();
-  const Landing next = landing(sight.ball, run.gravity(), height + sight.ball_radius);
+void draw_landing(Canvas& canvas, const Camera& camera, const Court& court) {
+  const double height = court.racket.disc.centre.y(), radius = court.racket.radius;
+  const Landing next = landing(court.ball, court.racket.gravity, height + radius);
   if (next.after == never || next.after > 3) return;
   Vector3d place = next.place;
   place.y() = height + 0.004;
-  const double size = sight.ball_radius * (0.5 + 1.5 * std::min(1.0, next.after));
+  const double size = radius * (0.5 + 1.5 * std::min(1.0, next.after));
   draw_path(canvas, camera, circle(place, Vector3d::UnitY(), size, 40), palette::damper, 2);
   for (const Vector3d& arm : {Vector3d(0.05, 0, 0), Vector3d(0, 0, 0.05)}) {
     const std::array<Vector3d, 2> line{place - arm, place + arm};
@@ -116,7 +116,7 @@ void draw_trail(Canvas& canvas, const Camera& camera, const Player& player) {
   std::vector<double> ages;
   for (auto point = player.trace().rbegin(); point != player.trace().rend(); ++point) {
     if (now - point->t > trail_lasts) break;
-    path.emplace_back(point->values[0], point->values[1], point->values[2]);
+    path.push_back(state_in<Vector3d>(point->values).position);
     ages.push_back((now - point->t) / trail_lasts);
   }
   for (std::size_t i = 0; i + 4 < path.size(); i += 4) {
@@ -152,11 +152,26 @@ void draw_ball(Canvas& canvas, const Camera& camera, const Vector3d& centre, dou
 
 }  // namespace
 
-Camera GameView::camera_for(const RacketRun& run, double t) {
-  const Vector3d home = run.settings().racket.disc.centre;
-  const Vector3d aim =
-      run.is_game() ? Vector3d(home + 0.5 * (run.disc().centre - home)) : run.disc().centre;
-  if (t < last_t_ || last_t_ < 0 || !run.is_game()) focus_ = aim;
+Court court_of(const Simulation& simulation) {
+  Court court;
+  court.ball = state_in<Vector3d>(simulation.values());
+  if (const GameRun* game = run_if<GameRun>(simulation)) {
+    court.game = game;
+    court.racket = game->scene_now();
+    court.home = game->settings().racket.disc.centre;
+  } else {
+    const BareRacketWorld& world = run_as<BareRacketRun>(simulation).world();
+    court.racket = world.scene_now();
+    court.racket.disc = world.disc(simulation.time());
+    court.home = world.setup.racket.disc.centre;
+  }
+  return court;
+}
+
+Camera GameView::camera_for(const Court& court, double t) {
+  const Vector3d home = court.home, now = court.racket.disc.centre;
+  const Vector3d aim = court.game ? Vector3d(home + 0.5 * (now - home)) : now;
+  if (t < last_t_ || last_t_ < 0 || !court.game) focus_ = aim;
   const double share = 1 - std::exp(-(t - last_t_) / follows_within);
   if (t > last_t_) focus_ += share * (aim - focus_);
   last_t_ = t;
@@ -175,36 +190,34 @@ std::optional<Vector3d> GameView::on_racket_plane(Point pixel) const {
 }
 
 void GameView::draw_scene(Canvas& canvas, const Player& player, const View& view) {
-  const RacketRun& run = static_cast<const RacketRun&>(player.simulation());
-  const Camera camera = camera_for(run, player.shown_time());
-  const std::vector<double> values = player.shown_values();
-  const Vector3d ball(values[0], values[1], values[2]);
-  const Disc disc = run.disc();
-  const double radius = run.settings().racket.radius;
+  const Court court = court_of(player.simulation());
+  const Camera camera = camera_for(court, player.shown_time());
+  const Vector3d ball = state_in<Vector3d>(player.shown_values()).position;
+  const Disc disc = court.racket.disc;
+  const double radius = court.racket.radius;
 
-  if (run.is_game()) {
-    const Plane floor{Vector3d::UnitY(), -run.floor_height()};
+  if (court.game) {
+    const double height = court.game->floor_height();
+    const Plane floor{Vector3d::UnitY(), -height};
     draw_floor(canvas, camera, floor, focus_);
-    draw_disc_shadow(canvas, camera, disc, run.floor_height());
+    draw_disc_shadow(canvas, camera, disc, height);
     draw_shadow(canvas, camera, floor, ball, radius);
   }
   // No depth buffer: what is on the far side of the disc is drawn first.
   const Vector3d eye = focus_ + Vector3d(0, camera_height, camera_distance);
   const bool from_front = disc.height(eye) > 0;
   const bool ball_behind = (disc.height(ball) > 0) != from_front;
-  Racket scene = run.settings().racket;
-  scene.side = run.round().side;
-  const NearestPoint nearest = scene.nearest(disc, ball);
+  const NearestPoint nearest = court.racket.nearest(disc, ball);
   if (view.trail && ball_behind) draw_trail(canvas, camera, player);
   if (ball_behind) draw_ball(canvas, camera, ball, radius, nearest);
-  const double glow = flash(run, view);
+  const double glow = flash(court, view);
   draw_disc(canvas, camera, disc, from_front, glow);
   if (!ball_behind && disc.normal.y() > 0 && disc.outwards(ball).norm() < disc.radius) {
     draw_shadow(canvas, camera, {disc.normal, -disc.normal.dot(disc.centre)}, ball, radius);
   }
-  draw_landing(canvas, camera, run);
-  if (glow > 0 && camera.sees(run.round().touch_place)) {
-    canvas.circle(camera.at(run.round().touch_place), static_cast<float>(40 - 28 * glow),
+  draw_landing(canvas, camera, court);
+  if (glow > 0 && camera.sees(court.game->round().touch_place)) {
+    canvas.circle(camera.at(court.game->round().touch_place), static_cast<float>(40 - 28 * glow),
                   palette::spring.faded(glow), 2.5f);
   }
   if (!ball_behind) {
@@ -214,18 +227,21 @@ void GameView::draw_scene(Canvas& canvas, const Player& player, const View& view
   if (const Point at = camera.at(ball); camera.depth(ball) > 0 && at.y < area_.y - 5) {
     const Point tip{std::clamp(at.x, area_.x + 20, area_.right() - 20), area_.y + 8};
     draw_arrow(canvas, {tip.x, tip.y + 34}, tip, palette::motion, Shaft::velocity);
-    draw_label(canvas, {tip.x + 14, tip.y + 12},
-               with_unit(ball.y() - run.settings().racket.disc.centre.y(), "m"), palette::ink);
+    draw_label(canvas, {tip.x + 14, tip.y + 12}, with_unit(ball.y() - court.home.y(), "m"),
+               palette::ink);
   }
 }
 
 void GameView::draw(Canvas& canvas, const Player& player, const View& view, bool bare) {
-  const RacketRun& run = static_cast<const RacketRun&>(player.simulation());
+  const GameRun* game = run_if<GameRun>(player.simulation());
   area_ = bare ? Rect{0, 0, layout::width, layout::height} : layout::scene;
   canvas.push_clip(area_);
   draw_scene(canvas, player, view);
-  if (run.settings().player == PlayerKind::blind) draw_blind_history(canvas, run, player, area_);
-  if (run.is_game()) draw_score_board(canvas, run, area_, view.help, view.muted);
+  if (game) {
+    const bool blind = game->settings().player == PlayerKind::blind;
+    if (blind) draw_blind_history(canvas, *game, player, area_);
+    draw_score_board(canvas, *game, area_, view.help, view.muted);
+  }
   if (is_live && player.paused) {
     draw_label(canvas, {area_.width / 2, 60}, "paused (P)", palette::ink, Align::centre,
                TextSize::title);
@@ -234,6 +250,21 @@ void GameView::draw(Canvas& canvas, const Player& player, const View& view, bool
     draw_label(canvas, {area_.x + 20, area_.bottom() - 90}, player.trouble(), palette::ink);
   }
   canvas.pop_clip();
+}
+
+void use_game_view(Demo& demo, GameView& view) {
+  demo.picture = [&demo, &view](const Player& player, const View& seen, Canvas& canvas) {
+    view.draw(canvas, player, seen, demo.bare);
+  };
+  demo.knock = [](const Player& player) {
+    const GameRun* game = run_if<GameRun>(player.simulation());
+    return game ? Knock{game->round().touches, game->round().touch_speed} : Knock{};
+  };
+  demo.is_over = [](const Player& player) {  // a machine that has lost serves again
+    const GameRun* game = run_if<GameRun>(player.simulation());
+    return game && game->round().score.lost && game->settings().player != PlayerKind::human &&
+           game->round().clock - game->round().lost_clock > 2;
+  };
 }
 
 }  // namespace bounce

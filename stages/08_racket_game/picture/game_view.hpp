@@ -2,11 +2,21 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "08_racket_game/run/racket_run.hpp"
+#include "08_racket_game/game/game_run.hpp"
+#include "08_racket_game/run/bare_racket.hpp"
 #include "app/camera.hpp"
 #include "app/demo.hpp"
 
 namespace bounce {
+
+/// What the picture needs to know, of the game or of the bare physics.
+struct Court {
+  State<Eigen::Vector3d> ball;
+  Racket racket;                  // as it is now, with the gravity of now
+  Eigen::Vector3d home{0, 0, 0};  // where the racket began
+  const GameRun* game = nullptr;  // nullptr: the bare physics
+};
+Court court_of(const Simulation& simulation);
 
 /// The picture of ball and racket. It remembers where the camera is, which follows calmly.
 class GameView {
@@ -19,7 +29,7 @@ class GameView {
   bool is_live = false;  // somebody is playing: say when time stands still
 
  private:
-  Camera camera_for(const RacketRun& run, double t);
+  Camera camera_for(const Court& court, double t);
   void draw_scene(Canvas& canvas, const Player& player, const View& view);
 
   Rect area_{0, 0, 1280, 720};
@@ -27,5 +37,8 @@ class GameView {
   double home_height_ = 0;
   double last_t_ = -1;
 };
+
+/// Gives the demo this picture. `view` must live as long as the demo.
+void use_game_view(Demo& demo, GameView& view);
 
 }  // namespace bounce

@@ -1,9 +1,9 @@
 #pragma once
 #include <algorithm>
 
+#include "08_racket_game/game/game_run.hpp"
 #include "08_racket_game/picture/best_score.hpp"
 #include "08_racket_game/picture/game_view.hpp"
-#include "08_racket_game/run/racket_run.hpp"
 #include "app/demo.hpp"
 
 namespace bounce {
@@ -13,7 +13,7 @@ namespace bounce {
 class Hands {
  public:
   void operator()(Player& player, const Controls& controls, const GameView& view) {
-    RacketRun& run = static_cast<RacketRun&>(player.simulation());
+    GameRun& run = run_as<GameRun>(player.simulation());
     keep_best(run);
     if (controls.less) run.set_assist(run.settings().assist - 10);
     if (controls.more) run.set_assist(run.settings().assist + 10);
@@ -53,7 +53,7 @@ class Hands {
   static constexpr double court = 1.2;          // m from the middle to each side
   static constexpr double walking_speed = 1.5;  // m/s, with the arrow keys
 
-  void keep_best(RacketRun& run) {
+  void keep_best(GameRun& run) {
     if (run.settings().player != PlayerKind::human || run.is_replay()) return;
     if (best_ < 0) run.keep_best(best_ = file_.read());
     if (run.round().score.best > best_) file_.write(best_ = run.round().score.best);
@@ -66,5 +66,13 @@ class Hands {
   BestScore file_;
   int best_ = -1;  // not read yet
 };
+
+/// Gives the demo to a player's hands. Both must live as long as the demo.
+inline void use_hands(Demo& demo, Hands& hands, GameView& view) {
+  demo.control = [&hands, &view](Player& player, const View&, const Controls& controls) {
+    view.is_live = true;
+    if (run_if<GameRun>(player.simulation())) hands(player, controls, view);
+  };
+}
 
 }  // namespace bounce

@@ -12,30 +12,6 @@
 namespace bounce {
 namespace {
 
-// Seven strokes: top, upper right, lower right, bottom, lower left, upper left, middle.
-constexpr std::array<unsigned, 10> strokes_of_digit{0b0111111, 0b0000110, 0b1011011, 0b1001111,
-                                                    0b1100110, 0b1101101, 0b1111101, 0b0000111,
-                                                    0b1111111, 0b1101111};
-
-void draw_digit(Canvas& canvas, Point at, float height, unsigned digit, Colour colour) {
-  const float w = height / 2, h = height / 2;
-  const std::array<std::array<Point, 2>, 7> strokes{{{{{0, 0}, {w, 0}}},
-                                                     {{{w, 0}, {w, h}}},
-                                                     {{{w, h}, {w, 2 * h}}},
-                                                     {{{w, 2 * h}, {0, 2 * h}}},
-                                                     {{{0, 2 * h}, {0, h}}},
-                                                     {{{0, h}, {0, 0}}},
-                                                     {{{0, h}, {w, h}}}}};
-  const float thick = height / 9;
-  for (std::size_t i = 0; i < strokes.size(); ++i) {
-    if ((strokes_of_digit[digit] >> i & 1u) == 0) continue;
-    const std::array<Point, 2> line{Point{at.x + strokes[i][0].x, at.y + strokes[i][0].y},
-                                    Point{at.x + strokes[i][1].x, at.y + strokes[i][1].y}};
-    canvas.line(line, colour, thick);
-    for (const Point& end : line) canvas.disc(end, thick / 2, colour);
-  }
-}
-
 const char* name_of(PlayerKind player) {
   switch (player) {
     case PlayerKind::human:
@@ -46,8 +22,6 @@ const char* name_of(PlayerKind player) {
       return "blind: a sine that never looks";
     case PlayerKind::idle:
       return "nobody plays";
-    case PlayerKind::none:
-      break;
   }
   return "";
 }
@@ -84,20 +58,11 @@ void draw_keys(Canvas& canvas, Rect area, bool help) {
 
 }  // namespace
 
-void draw_big_number(Canvas& canvas, Point right, float height, int number, Colour colour) {
-  const float advance = height * 0.72f;
-  Point at{right.x - height / 2, right.y};
-  for (int rest = std::max(0, number);; rest /= 10) {
-    draw_digit(canvas, at, height, static_cast<unsigned>(rest % 10), colour);
-    if (rest < 10) return;
-    at.x -= advance;
-  }
-}
-
-void draw_score_board(Canvas& canvas, const RacketRun& run, Rect area, bool help, bool muted) {
+void draw_score_board(Canvas& canvas, const GameRun& run, Rect area, bool help, bool muted) {
   const Score& score = run.round().score;
   const float right = area.right() - 32;
-  draw_big_number(canvas, {right, area.y + 52}, 60, score.hits, palette::ink);
+  canvas.text({right, area.y + 46}, std::to_string(score.hits), palette::ink, Align::right,
+              TextSize::score);
   canvas.text({right, area.y + 20}, "hits", palette::exact, Align::right, TextSize::title);
   canvas.text({right, area.y + 126}, "best " + std::to_string(score.best), palette::ink,
               Align::right, TextSize::title);
@@ -128,7 +93,7 @@ void draw_score_board(Canvas& canvas, const RacketRun& run, Rect area, bool help
   }
 }
 
-void draw_blind_history(Canvas& canvas, const RacketRun& run, const Player& player, Rect area) {
+void draw_blind_history(Canvas& canvas, const GameRun& run, const Player& player, Rect area) {
   constexpr double seconds = 15;
   const Rect box{area.x + 28, area.y + 110, 380, 190};
   draw_rect(canvas, box, palette::paper.faded(0.9));
@@ -147,7 +112,7 @@ void draw_blind_history(Canvas& canvas, const RacketRun& run, const Player& play
   const auto& trace = player.trace();
   for (std::size_t i = 0; i < trace.size(); i += 8) {
     if (trace[i].t < first) continue;
-    ball.push_back(at(trace[i].t, trace[i].values[1] - home));
+    ball.push_back(at(trace[i].t, trace[i].column("y") - home));
     racket.push_back(at(trace[i].t, start.swing.height(trace[i].t, start.phase)));
   }
   if (ball.size() > 1) canvas.line(ball, palette::motion, 2);

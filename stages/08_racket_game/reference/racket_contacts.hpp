@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "08_racket_game/racket_game.hpp"
-#include "physics/closed_form.hpp"
-#include "physics/first_zero.hpp"
-#include "physics/reference.hpp"
+#include "physics/events/closed_form.hpp"
+#include "physics/events/first_zero.hpp"
+#include "physics/events/reference_walk.hpp"
 
 namespace bounce {
 
@@ -33,10 +33,11 @@ class RacketContacts {
     const auto [overlap, push] = overlap_and_push(seen);
     if (overlap > 0) phase_ = only_pushes() && push <= 0 ? Phase::let_go : Phase::touch;
   }
-  /// In the middle of a run that was saved.
-  RacketContacts(const Racket& scene, Phase phase, Place place) : RacketContacts(scene) {
-    phase_ = phase;
-    place_ = place;
+
+  template <class Self, class Visit>
+  static void remembered(Self& self, Visit& visit) {
+    visit.whole("place", self.place_, 0, 2);
+    visit("phase", self.phase_);
   }
 
   Phase phase() const { return phase_; }

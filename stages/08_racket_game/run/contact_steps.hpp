@@ -5,7 +5,7 @@
 
 #include "08_racket_game/racket_game.hpp"
 #include "physics/contact.hpp"
-#include "physics/event_driven.hpp"
+#include "physics/events/event_driven.hpp"
 #include "physics/stability.hpp"
 #include "physics/state.hpp"
 

@@ -3,8 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "08_racket_game/game/game_run.hpp"
 #include "08_racket_game/game/input_log.hpp"
-#include "08_racket_game/run/racket_run.hpp"
+#include "08_racket_game/run/bare_racket.hpp"
 #include "run/options.hpp"
 
 namespace bounce {
@@ -16,35 +17,51 @@ struct InputRecord {
   std::string path;
 };
 
-inline void choose_player(RacketRun& run, const std::string& name) {
+/// `--player`. For `none` the bare physics takes the place of the game.
+inline void choose_player(std::unique_ptr<Simulation>& simulation, const std::string& name) {
   static const std::vector<std::string> names{"human", "autopilot", "blind", "idle", "none"};
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i] == name) return run.play_as(static_cast<PlayerKind>(i));
+  if (name == "none") {
+    simulation = std::make_unique<BareRacketRun>();
+    return;
+  }
+  for (std::size_t i = 0; i + 1 < names.size(); ++i) {
+    if (names[i] != name) continue;
+    auto game = std::make_unique<GameRun>();
+    game->play_as(static_cast<PlayerKind>(i));
+    simulation = std::move(game);
+    return;
   }
   throw BadInput("--player '" + name + "' is not allowed" + did_you_mean(name, names) +
                  ": it must be " + join(names, " or "));
 }
 
+inline GameRun& game_for(const std::string& option, Simulation& simulation) {
+  if (GameRun* game = run_if<GameRun>(simulation)) return *game;
+  throw BadInput(option + " is not allowed with --player none: only the game has inputs");
+}
+
 /// What this stage's command line has besides that of all stages. The answers go into `is_game`
 /// and `asked`, which must live as long as the options.
 inline std::vector<StageOption> racket_game_options(bool& is_game, InputRecord& asked) {
-  const auto run_of = [](Simulation& simulation) -> RacketRun& {
-    return static_cast<RacketRun&>(simulation);
-  };
-  const auto player = [=, &is_game](Simulation& simulation, const std::string& name) {
-    choose_player(run_of(simulation), name);
-    is_game = run_of(simulation).is_game();
-  };
-  const auto record = [=, &asked](Simulation& simulation, const std::string& path) {
+  using SimulationPtr = std::unique_ptr<Simulation>;
+  StageOption player{"--player", "NAME",
+                     "human, autopilot, blind, idle, or none: the bare physics of ball and racket",
+                     [&is_game](SimulationPtr& simulation, const std::string& name) {
+                       choose_player(simulation, name);
+                       is_game = name != "none";
+                     }};
+  player.is_saved = true;
+  const auto record = [&asked](SimulationPtr& simulation, const std::string& path) {
+    GameRun& game = game_for("--record-input", *simulation);
     OutputFile::check("--record-input", path);
     asked.path = path;
-    run_of(simulation).record(asked.log);
+    game.record(asked.log);
   };
-  const auto replay = [=](Simulation& simulation, const std::string& path) {
-    run_of(simulation).replay(std::make_shared<const InputLog>(read_input_log(path)));
+  const auto replay = [](SimulationPtr& simulation, const std::string& path) {
+    GameRun& game = game_for("--replay", *simulation);
+    game.replay(std::make_shared<const InputLog>(read_input_log(path)));
   };
-  return {{"--player", "NAME",
-           "human, autopilot, blind, idle, or none: the bare physics of ball and racket", player},
+  return {player,
           {"--record-input", "FILE", "write the last round's inputs when the program ends", record},
           {"--replay", "FILE", "play recorded inputs in place of a player", replay}};
 }

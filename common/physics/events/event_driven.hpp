@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "physics/closed_form.hpp"
+#include "physics/events/closed_form.hpp"
 #include "physics/state.hpp"
 
 namespace bounce {
@@ -79,11 +79,15 @@ class EventDriven {
     find_end();
   }
 
-  /// Continues a run that was saved: in the middle of `phase`, which began at `t` with `state`.
-  void resume(double t, const State<Vector>& state, Phase phase) {
-    start_ = t;
-    state_ = state;
-    phase_ = phase;
+  /// What is saved of a run: the phase, and when and how it began. After loading it goes on from
+  /// there with `resume`.
+  template <class Self, class Visit>
+  static void remembered(Self& self, Visit& visit) {
+    visit("phase_start", self.start_);
+    visit("state_at_phase_start", self.state_);
+    visit("phase", self.phase_);
+  }
+  void resume() {
     begin_phase();
     find_end();
   }

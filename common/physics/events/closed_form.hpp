@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "physics/contact.hpp"
-#include "physics/damped_oscillator.hpp"
+#include "physics/events/damped_oscillator.hpp"
 #include "physics/state.hpp"
 
 namespace bounce {

@@ -16,7 +16,7 @@ namespace bounce {
 /// Differential Equations I, 2nd edition (1993), section II.10, and its program dop853.f. The tests
 /// check the numbers below: a wrong digit in any of them costs orders.
 template <class Vector>
-class DormandPrince {
+class Dop853 {
  public:
   /// Where the next steps start. `law.acceleration(t, state)` is what it asks.
   template <class Law>
@@ -91,7 +91,7 @@ class DormandPrince {
 
 template <class Vector>
 template <class Law>
-const State<Vector>& DormandPrince<Vector>::step(const Law& law, double t, double h) {
+const State<Vector>& Dop853<Vector>::step(const Law& law, double t, double h) {
   const auto next = [&](std::size_t i, double c, const auto& sum) { slope(law, t, h, i, c, sum); };
   next(2, 0.526001519587677318785587544488e-1,
        [](const Slopes& k) { return 5.26001519587677318785587544488e-2 * k[1]; });
@@ -149,7 +149,7 @@ const State<Vector>& DormandPrince<Vector>::step(const Law& law, double t, doubl
 }
 
 template <class Vector>
-double DormandPrince<Vector>::error(double h, double tolerance) const {
+double Dop853<Vector>::error(double h, double tolerance) const {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   const Vector v5 = fifth(velocity_), v3 = third(velocity_);
   const Vector a5 = fifth(acceleration_), a3 = third(acceleration_);

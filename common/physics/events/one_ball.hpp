@@ -1,5 +1,5 @@
 #pragma once
-#include "physics/closed_form.hpp"
+#include "physics/events/closed_form.hpp"
 #include "physics/state.hpp"
 
 namespace bounce {
@@ -11,8 +11,7 @@ class OneBall {
  public:
   using Watch = Phase;  // what can come after a touch
 
-  OneBall(const Phases& phases, Phase phase) : phases_(phases), phase_(phase) {}
-  OneBall(const Phases& phases, double t, const State<Vector>& state) : OneBall(phases, {}) {
+  OneBall(const Phases& phases, double t, const State<Vector>& state) : phases_(phases) {
     begin(t);
     phase_ = phases_.phase_at(state);
   }
@@ -53,9 +52,14 @@ class OneBall {
   }
   double time_scale() const { return phases_.time_scale(); }
 
+  template <class Self, class Visit>
+  static void remembered(Self& self, Visit& visit) {
+    visit("phase", self.phase_);
+  }
+
  private:
   Phases phases_;
-  Phase phase_;
+  Phase phase_{};
   PhaseEnd end_{};
 };
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "physics/closed_form.hpp"
+#include "physics/events/closed_form.hpp"
 
 namespace bounce {
 

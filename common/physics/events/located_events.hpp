@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "physics/closed_form.hpp"
-#include "physics/cubic.hpp"
-#include "physics/event_driven.hpp"
+#include "physics/events/closed_form.hpp"
+#include "physics/events/cubic.hpp"
+#include "physics/events/event_driven.hpp"
 #include "physics/state.hpp"
 
 namespace bounce {
@@ -70,13 +70,20 @@ class LocatedEvents {
 
   long long force_evaluations() const { return law_.evaluations; }
 
-  // For saving and loading: the phase, and when and how it began.
   Phase phase() const { return phase_; }
-  double phase_start() const { return start_; }
-  const State<Vector>& state_at_phase_start() const { return at_start_; }
-  void resume(double t, const State<Vector>& state, Phase phase) {
-    begin_at(t);
-    begin_phase(state, phase);
+  double phase_start() const { return start_; }  // [s]
+
+  /// What is saved of a run: the phase, and when and how it began. After loading it goes on from
+  /// there with `resume`.
+  template <class Self, class Visit>
+  static void remembered(Self& self, Visit& visit) {
+    visit("phase_start", self.start_);
+    visit("state_at_phase_start", self.at_start_);
+    visit("phase", self.phase_);
+  }
+  void resume() {
+    begin_at(start_);
+    find_end();
   }
 
  private:

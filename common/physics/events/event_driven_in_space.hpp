@@ -3,7 +3,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "physics/event_driven.hpp"
+#include "physics/events/event_driven.hpp"
 
 namespace bounce {
 
@@ -42,15 +42,13 @@ class EventDriven<Phases, Eigen::Vector3d> {
   }
 
   // A run that is saved keeps both parts, unrounded.
-  const AlongNormal& along_at_last_event() const { return bounce_.state_at_last_event(); }
-  double start() const { return start_; }  // [s]: when the run began
-  const InSpace& beside_at_start() const { return beside_; }
-  void resume(double start, const InSpace& beside_at_start, double t, const AlongNormal& along,
-              Phase phase) {
-    start_ = start;
-    beside_ = beside_at_start;
-    bounce_.resume(t, along, phase);
+  template <class Self, class Visit>
+  static void remembered(Self& self, Visit& visit) {
+    visit("start", self.start_);
+    visit("beside_at_start", self.beside_);
+    self.bounce_.remembered(self.bounce_, visit);
   }
+  void resume() { bounce_.resume(); }
 
  private:
   InSpace together(const AlongNormal& along, double t) const {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "physics/cubic.hpp"
-#include "physics/dormand_prince.hpp"
-#include "physics/event_driven.hpp"
+#include "physics/events/cubic.hpp"
+#include "physics/events/event_driven.hpp"
+#include "physics/methods/dop853.hpp"
 #include "physics/state.hpp"
 
 namespace bounce {
@@ -19,32 +19,18 @@ namespace bounce {
 /// The walk does not depend on who looks: a state in the middle of a piece is a shorter step from
 /// the piece's start, and changes nothing.
 ///
-/// `Contacts` tells what touches, and how:
-///   bool in_flight()                        nothing acts that the flight's formula does not know
-///   double flight_time(t, state)            until a flight ends [s], or `never`
-///   State fly(state, t)
-///   void land(t, state)                     passes the end of that flight
-///   void begin(t)                           a piece begins. (Only where the law knows the time)
-///   Vector acceleration(s, state)           s after a piece began: the law of the contacts that
-///                                           are now, smooth across their ends [m/s^2]
-///   watches(state, h)                       what can happen within `h` seconds: a list of `Watch`
-///   Lasting lasts(watch, s, state, acceleration)   positive until that happens
-///   double rounding(watch, state)           by how much that value may be off
-///   bool resolves(before, after, h)         a step is short enough that this list is complete, and
-///                                           that nothing begins and ends within it
-///   void pass(watch, t, state)              it happens
-///   double time_scale()                     of the fastest contact [s]: for the first step
-///   double shortest_phase()                 see too_short() in event_driven.hpp; optional
-///   jumps_without_event                     a constant, if the law may do so; optional
+/// `Contacts` tells what touches, and how: see the concept of that name in concepts.hpp.
 template <class Contacts, class Vector>
 class Reference {
  public:
-  Reference(const Contacts& contacts, double t, const State<Vector>& state, double tolerance)
+  /// The first step that it tries is `first_step` [s], or 0: what suits the fastest contact.
+  Reference(const Contacts& contacts, double t, const State<Vector>& state, double tolerance,
+            double first_step = 0)
       : contacts_(contacts),
         tolerance_(tolerance),
         t_(t),
         state_(state),
-        step_(contacts.time_scale()),
+        step_(first_step > 0 ? first_step : contacts.time_scale()),
         last_event_(t) {
     begin_piece();
   }
@@ -78,21 +64,23 @@ class Reference {
     return ahead.t_;
   }
 
-  double piece_start() const { return t_; }  // [s]
-  const State<Vector>& state_at_piece_start() const { return state_; }
+  double last_event() const { return t_; }  // or the end of the last step [s]
   const Contacts& contacts() const { return contacts_; }
   double tolerance() const { return tolerance_; }
-  double next_step() const { return step_; }
   long long force_evaluations() const { return method_.evaluations(); }
   long long pieces() const { return pieces_; }
 
-  /// Continues a run that was saved.
-  void resume(const Contacts& contacts, double t, const State<Vector>& state, double step) {
-    contacts_ = contacts;
-    t_ = t;
-    state_ = state;
-    step_ = step;
-    last_event_ = t;
+  /// What is saved of a run: the piece's start, and who touches. After loading it goes on from
+  /// there with `resume`.
+  template <class Self, class Visit>
+  static void remembered(Self& self, Visit& visit) {
+    visit.positive("next_step", self.step_);
+    visit("piece_start", self.t_);
+    visit("state_at_piece_start", self.state_);
+    self.contacts_.remembered(self.contacts_, visit);
+  }
+  void resume() {
+    last_event_ = t_;
     begin_piece();
   }
 
@@ -187,7 +175,7 @@ class Reference {
     while (true) {
       after_ = method_.step(contacts_, 0, h);
       const double error = method_.error(h, tolerance_);
-      step_after_ = error > 0 ? DormandPrince<Vector>::better_step(h, error) : 6 * h;
+      step_after_ = error > 0 ? Dop853<Vector>::better_step(h, error) : 6 * h;
       if (error <= 1) break;
       if (!(h > shortest_step())) {
         if (law_jumps && std::isfinite(error)) break;
@@ -275,7 +263,7 @@ class Reference {
   State<Vector> after_{};  // its end
   double step_after_ = 0;
   std::vector<Watched> watched_;
-  DormandPrince<Vector> method_;
+  Dop853<Vector> method_;
 };
 
 }  // namespace bounce

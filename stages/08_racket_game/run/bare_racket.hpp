@@ -1,0 +1,139 @@
+#pragma once
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "08_racket_game/exact/walk.hpp"
+#include "08_racket_game/reference/racket_contacts.hpp"
+#include "08_racket_game/run/racket_setup.hpp"
+#include "08_racket_game/run/racket_steps.hpp"
+#include "08_racket_game/run/racket_truth.hpp"
+#include "physics/methods/all_methods.hpp"
+#include "physics/remembered.hpp"
+#include "run/run.hpp"
+
+namespace bounce {
+
+/// `exact` and `reference` for a ball and a racket in uniform motion: both walk in the racket's
+/// frame of reference.
+struct ExactBesideRacket {
+  static constexpr Method facts = methods::exact;
+
+  template <class World>
+  ExactBesideRacket(const World& world, double t, const State<Eigen::Vector3d>& ball,
+                    double /*tolerance*/)
+      : walk(world.scene_now(), t, ball) {}
+
+  double next_event() const { return walk.next_event(); }
+  template <class Self, class Visit>
+  static void remembered(Self& self, Visit& visit) {
+    self.walk.remembered(self.walk, visit);
+  }
+  void resume() { walk.resume(); }
+
+  RacketWalk walk;
+};
+
+struct ReferenceBesideRacket : ReferenceMethod<RacketContacts, Eigen::Vector3d> {
+  template <class World>
+  ReferenceBesideRacket(const World& world, double t, const State<Eigen::Vector3d>& /*ball*/,
+                        double tolerance)
+      : ReferenceMethod(world, t, world.seen_from_racket, tolerance) {}
+};
+
+/// Stage 8 without the game, for RunOf (run.hpp): a ball and a racket in uniform motion. Nothing in
+/// a contact depends on who watches, so that all is computed as it is seen from the racket.
+class BareRacketWorld {
+ public:
+  using Vector = Eigen::Vector3d;
+  using Ball = State<Vector>;
+  using TruthWalk = RacketTruth;
+  using Methods = decltype(SteppingMethods<Vector>{} +
+                           MethodList<ReferenceBesideRacket, ExactBesideRacket>{});
+
+  RacketSetup setup;
+  int side = 1;  // these two as in Racket
+  bool through = false;
+  Ball seen_from_racket = setup.start;
+
+  /// The racket at time 0, in uniform motion, with the ball on its present side.
+  Racket scene_now() const;
+  /// The same at rest in the origin.
+  Racket scene_at_rest() const;
+  Disc disc(double t) const { return scene_now().disc_at(t); }
+
+  // ---- As run.hpp asks for
+  std::vector<Parameter> parameters() { return setup.parameters(); }
+  Traits traits(const Simulation& simulation) const;
+  Ball start(std::uint64_t /*seed*/) {
+    pieces_ = 0;
+    return setup.start;
+  }
+  /// Chooses the side on which the ball is, and looks at it from the racket.
+  void place(double t, const Ball& ball);
+  RacketContacts contacts(double /*t*/, const Ball& seen) const { return {scene_at_rest(), seen}; }
+  Truth<TruthWalk, Vector> truth(double t, const Ball& ball);
+
+  template <class Any>
+  void take_steps(Any& method, Ball& ball, long long count, double t, double dt, EnergyBook& book);
+  double go_towards(ExactBesideRacket& method, double t, long long most_events, Ball& ball);
+  double go_towards(ReferenceBesideRacket& method, double t, long long most_events, Ball& ball);
+  /// A step in contact is made of pieces.
+  long long more_evaluations(const Simulation& simulation) const {
+    return (pieces_ - simulation.steps()) * simulation.method().evaluations;
+  }
+
+  Energy energy(double t, const Ball& ball) const { return scene_now().energy(t, ball); }
+  double energy_before(const EnergyBook& book, bool by_events, double t, const Ball& ball) const;
+  std::vector<double> row(double /*t*/, const Ball& ball) const {
+    NumberWriter row;
+    row("ball", ball);
+    return row.take();
+  }
+  template <class Self, class Visit, class Same>
+  static void remembered(Self& self, Visit& visit, Same& ball) {
+    visit("ball", ball);
+    visit("seen_from_racket", self.seen_from_racket);
+    visit.whole("side", self.side, -1, 1);
+    visit.whole("through", self.through, 0, 1);
+  }
+
+ private:
+  Ball from_racket(const Ball& ball, double t) const;
+  Ball from_ground(const Ball& seen, double t) const;
+  void take_side_of(const Racket& scene) {
+    side = scene.side;
+    through = scene.through;
+  }
+
+  long long pieces_ = 0;
+  // When the energy book was opened, and the ball then
+  double book_start_ = 0;  // s
+  Ball ball_at_book_start_ = setup.start;
+};
+
+using BareRacketRun = RunOf<BareRacketWorld>;
+
+template <class Any>
+void BareRacketWorld::take_steps(Any& method, Ball& ball, long long count, double t, double dt,
+                                 EnergyBook& book) {
+  Racket scene = scene_at_rest();
+  // The damper's work over one piece, by the midpoint rule. Where no book is kept, a step costs
+  // nothing more.
+  const auto note = [&book](const Racket& law, double now, const Ball& before, const Ball& after,
+                            double h) {
+    const Ball middle{(before.position + after.position) / 2,
+                      (before.velocity + after.velocity) / 2};
+    book.lost -= law.damper_power(now + h / 2, middle) * h;
+  };
+  for (long long i = 0; i < count; ++i) {
+    pieces_ += book.is_kept ? racket_step(method, scene, 0, seen_from_racket, dt, note).pieces
+                            : racket_step(method, scene, 0, seen_from_racket, dt, nullptr).pieces;
+  }
+  take_side_of(scene);
+  ball = from_ground(seen_from_racket, t + static_cast<double>(count) * dt);
+}
+
+extern template class RunOf<BareRacketWorld>;
+
+}  // namespace bounce

@@ -1,0 +1,37 @@
+#pragma once
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "08_racket_game/racket_game.hpp"
+#include "physics/contact.hpp"
+#include "physics/parameters.hpp"
+#include "run/simulation.hpp"
+
+namespace bounce {
+
+/// Everything about stage 8 that can be set, for the game and for the bare physics alike.
+struct RacketSetup {
+  Racket racket;  // its disc: home, first radius; its gravity: the full one
+  State<Eigen::Vector3d> start{{0, 1, 0}, {0, 0, 0}};  // m, m/s; in the game the serve is added
+  // Of the bare physics
+  Eigen::Vector3d racket_normal{0, 1, 0};    // any length
+  Eigen::Vector3d racket_velocity{0, 0, 0};  // m/s
+  // Of the game
+  double assist = 30;                           // %
+  double knock = 0.2;                           // m, for the blind player's ball
+  enum { slowing, speeding } strike = slowing;  // how the blind player's racket meets the ball
+
+  std::vector<Parameter> parameters();
+
+  double restitution() const {
+    const SpringDamper contact{racket.stiffness, racket.damping, racket.contact};
+    return bounce::restitution(contact, racket.mass);
+  }
+  ContactNumbers contact_numbers() const {
+    return {natural_frequency(racket.stiffness, racket.mass),
+            damping_ratio(racket.stiffness, racket.damping, racket.mass)};
+  }
+};
+
+}  // namespace bounce

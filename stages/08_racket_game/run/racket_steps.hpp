@@ -1,0 +1,34 @@
+#pragma once
+#include "08_racket_game/run/contact_steps.hpp"
+#include "run/any_method.hpp"
+
+namespace bounce {
+
+/// A step of `method` that sees every touch (contact_steps.hpp). Returns how many touches it saw,
+/// and in how many pieces of contact it was taken. `note(scene, t, before, after, dt)` is called
+/// after each of these, unless it is nullptr.
+struct RacketStep {
+  long long touches, pieces;
+};
+
+template <class Method, class Note>
+RacketStep racket_step(const Method&, Racket& scene, double t, State<Eigen::Vector3d>& ball,
+                       double dt, const Note& note) {
+  const auto make_step = [&note] {
+    return [method = Method{}, &note](const Racket& law, double now, State<Eigen::Vector3d>& x,
+                                      double h) mutable {
+      if constexpr (std::is_null_pointer_v<Note>) {
+        method(law, now, x, h);
+      } else {
+        const State<Eigen::Vector3d> before = x;
+        method(law, now, x, h);
+        note(law, now, before, x, h);
+      }
+    };
+  };
+  ContactSteps steps(scene, make_step);
+  steps(t, ball, dt);
+  return {steps.touches, steps.pieces};
+}
+
+}  // namespace bounce
