@@ -74,7 +74,7 @@ Plot plot_energy_error(const std::string& title) {
   return {title, "J", palette::ink, [](const TracePoint& point) { return point.energy_error(); }};
 }
 
-int play(int argc, const char* const* argv, const Demo& demo) {
+int play_demo(int argc, const char* const* argv, const Demo& demo) {
   std::unique_ptr<Simulation> simulation = demo.make();
   return guarded(demo.stage, *simulation, [&]() -> int {
     Options options;

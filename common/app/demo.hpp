@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,6 +9,7 @@
 #include "app/canvas.hpp"
 #include "app/player.hpp"
 #include "run/headless.hpp"
+#include "run/whose_lines.hpp"
 
 namespace bounce {
 
@@ -100,9 +102,18 @@ struct Demo {
   std::function<Knock(const Player&)> knock;  // may be empty
 };
 
-/// The main program of every stage: reads the command line, and runs headless or in a window.
-/// Returns the exit code.
-int play(int argc, const char* const* argv, const Demo& demo);
+/// Reads the command line, and runs headless or in a window. Returns the exit code.
+int play_demo(int argc, const char* const* argv, const Demo& demo);
+
+/// The main program of every stage. It says so when it runs on a learner's lines. (Each program has
+/// its own, hence `static`: the libraries do not know.)
+static inline int play(int argc, const char* const* argv, Demo& demo) {
+  if (is_mine) {
+    std::cerr << demo.stage.name << ": " << whose_lines << "\n";
+    demo.title += std::string(" (") + whose_lines + ")";
+  }
+  return play_demo(argc, argv, demo);
+}
 
 // ---- Implemented by the window (window.cpp), or by the null app where SDL2 is missing.
 

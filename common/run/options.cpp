@@ -298,7 +298,7 @@ bool parse_command_line(int argc, const char* const* argv, const StageName& stag
 
 std::string list_text(const StageName& stage, Simulation& fresh) {
   std::string text = stage.name + ": " + stage.about + "\n\nmethods: " + names_of(fresh.methods()) +
-                     " (default: " + name_of(methods::semi_implicit_euler) + ")\n\n";
+                     " (default: " + name_of(fresh.method()) + ")\n\n";
   using Row = std::array<std::string, 5>;
   std::vector<Row> rows{{"parameter", "unit", "default", "valid", "meaning"}};
   for (const Parameter& parameter : fresh.parameters()) {

@@ -11,6 +11,7 @@
 #include "run/rows.hpp"
 #include "run/simulation.hpp"
 #include "run/truth.hpp"
+#include "run/whose_lines.hpp"
 
 namespace bounce {
 
@@ -33,7 +34,7 @@ class RunOf final : public Simulation {
  public:
   using Vector = typename World::Vector;
 
-  RunOf() { reset_state(); }
+  RunOf() : Simulation(first_method) { reset_state(); }
 
   World& world() { return world_; }
   const World& world() const { return world_; }

@@ -137,7 +137,7 @@ class Simulation {
   void recall(const Memory& memory);  // throws BadInput when it does not fit
 
  protected:
-  Simulation() = default;
+  explicit Simulation(const Method& method) : method_(method) {}
   Simulation(const Simulation&) = default;
   Simulation& operator=(const Simulation&) = default;
 
@@ -157,7 +157,7 @@ class Simulation {
   void start_grid_here();
   void take_checked_steps(long long count, double t, double dt);
 
-  Method method_ = methods::semi_implicit_euler;
+  Method method_;
   double tolerance_ = 1e-12;
   std::uint64_t seed_ = 1;
   StepClock clock_;

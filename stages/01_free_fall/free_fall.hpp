@@ -40,9 +40,9 @@ struct FreeFall {
 /// never change again, and so it lives in common/physics/methods/semi_implicit_euler.hpp, under its
 /// name in the field: semi_implicit_euler. A test shows that the two are equal to the bit.
 // [loop]
-template <class Scene>
-void fall_one_step(const Scene& scene, double t, State<double>& state, double dt) {
-  const double acceleration = scene.acceleration(t, state);  // from the force
+template <class Scene, class Vector>
+void fall_one_step(const Scene& scene, double t, State<Vector>& state, double dt) {
+  const Vector acceleration = scene.acceleration(t, state);  // from the force
   state.velocity += acceleration * dt;                       // acceleration changes velocity
   state.position += state.velocity * dt;                     // velocity changes position
 }

@@ -29,10 +29,12 @@
 // YOUR TURN 3 of 3: the loop, once around. (Lesson: "The program")
 // You have: scene.acceleration(t, state) [m/s^2], state.position [m], state.velocity [m/s], dt [s].
 // Must hold: afterwards `state` is one time step dt later. First the velocity changes, by the
-// acceleration at (t, state); then the position, by the *new* velocity. It works for every scene.
-template <class Scene>
+// acceleration at (t, state); then the position, by the *new* velocity. It works for every scene,
+// also where a position is a vector (stage 4): so keep an acceleration in a `Vector`, which is
+// whatever the scene's positions are. Here that is a double.
+template <class Scene, class Vector>
 void fall_one_step([[maybe_unused]] const Scene& scene, [[maybe_unused]] double t,
-                   [[maybe_unused]] State<double>& state, [[maybe_unused]] double dt) {
+                   [[maybe_unused]] State<Vector>& state, [[maybe_unused]] double dt) {
   // <- here
 }
 // [loop]

@@ -4,6 +4,7 @@
 #include "physics/methods/exact.hpp"
 #include "physics/methods/explicit_euler.hpp"
 #include "physics/methods/flight_rk4.hpp"
+#include "physics/methods/mine.hpp"
 #include "physics/methods/reference.hpp"
 #include "physics/methods/rk4.hpp"
 #include "physics/methods/rk4_events.hpp"
@@ -12,10 +13,6 @@
 
 namespace bounce {
 
-/// A list of method objects (method.hpp).
-template <class... Methods>
-struct MethodList {};
-
 template <class... A, class... B>
 MethodList<A..., B...> operator+(MethodList<A...>, MethodList<B...>);
 
@@ -23,7 +20,8 @@ MethodList<A..., B...> operator+(MethodList<A...>, MethodList<B...>);
 // that its scene allows: the stepping methods always, the others where there are closed forms.
 
 template <class Vector>
-using SteppingMethods = MethodList<ExplicitEuler, SemiImplicitEuler, VelocityVerlet<Vector>, Rk4>;
+using SteppingMethods = decltype(
+    MethodList<ExplicitEuler, SemiImplicitEuler, VelocityVerlet<Vector>, Rk4>{} + MyMethods{});
 
 template <class Phases, class Vector>
 using LocatedMethods = MethodList<Rk4Events<Phases, Vector>, FlightRk4<Phases, Vector>>;

@@ -12,6 +12,7 @@
 #include "many_balls/many_balls.hpp"
 #include "physics/methods/all_methods.hpp"
 #include "run/run.hpp"
+#include "run/whose_lines.hpp"
 
 namespace bounce {
 
@@ -99,7 +100,9 @@ void BallsWorld::take_steps(Any& method, Balls& balls, long long count, double t
                is_verlet ? many::Stepping::velocity_verlet : many::Stepping::semi_implicit_euler,
                steps, dt, threads);
   };
+  // Not on a learner's lines: there only his law moves the balls, however many.
   const bool is_many =
+      !is_mine &&
       (is_verlet || std::is_same_v<Any, SemiImplicitEuler>)&&scene.mass.size() >= many_from;
   if (is_many && !book.is_kept) return many_steps(count);
   Balls middle;

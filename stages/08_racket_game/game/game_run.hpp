@@ -10,6 +10,7 @@
 #include "08_racket_game/game/round.hpp"
 #include "run/any_method.hpp"
 #include "run/simulation.hpp"
+#include "run/whose_lines.hpp"
 
 namespace bounce {
 
@@ -19,7 +20,7 @@ class GameRun final : public Simulation {
  public:
   using Ball = State<Eigen::Vector3d>;
 
-  GameRun() { reset_state(); }
+  GameRun() : Simulation(first_method) { reset_state(); }
 
   // ---- What pictures and players need to know
   const Settings& settings() const { return settings_; }

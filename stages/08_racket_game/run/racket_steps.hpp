@@ -1,6 +1,7 @@
 #pragma once
 #include "08_racket_game/run/contact_steps.hpp"
 #include "run/any_method.hpp"
+#include "run/whose_lines.hpp"
 
 namespace bounce {
 
@@ -11,9 +12,24 @@ struct RacketStep {
   long long touches, pieces;
 };
 
+/// On a learner's lines there are no flights by formula and no cuts: a step is one step of the
+/// method, and only the learner's force says where the ball goes.
+template <class Method>
+RacketStep whole_step(Method method, Racket& scene, double t, State<Eigen::Vector3d>& ball,
+                      double dt) {
+  const auto touches = [&](double when) {
+    return scene.nearest(scene.disc_at(when), ball.position).distance < scene.radius;
+  };
+  const bool before = touches(t);
+  method(scene, t, ball, dt);
+  scene.choose_side(t + dt, ball.position);
+  return {!before && touches(t + dt) ? 1 : 0, 1};
+}
+
 template <class Method, class Note>
 RacketStep racket_step(const Method&, Racket& scene, double t, State<Eigen::Vector3d>& ball,
                        double dt, const Note& note) {
+  if (is_mine) return whole_step(Method{}, scene, t, ball, dt);
   const auto make_step = [&note] {
     return [method = Method{}, &note](const Racket& law, double now, State<Eigen::Vector3d>& x,
                                       double h) mutable {

@@ -15,6 +15,24 @@ struct AnyLaw {
   }
 };
 
+/// Two numbers as one vector: the loop shall move that, too.
+struct Two {
+  double a, b;
+  Two operator*(double factor) const { return {a * factor, b * factor}; }
+  Two operator/(double divisor) const { return {a / divisor, b / divisor}; }
+  Two operator+(const Two& other) const { return {a + other.a, b + other.b}; }
+  Two operator-(const Two& other) const { return {a - other.a, b - other.b}; }
+  Two& operator+=(const Two& other) { return *this = *this + other; }
+  Two& operator-=(const Two& other) { return *this = *this - other; }
+  friend Two operator*(double factor, const Two& two) { return two * factor; }
+};
+struct LawOfTwo {
+  check::LinearLaw law;
+  Two acceleration(double t, const State<Two>& state) const {
+    return {law(t, state.position.a, state.velocity.a), law(t, state.position.b, state.velocity.b)};
+  }
+};
+
 /// Stage 1 writes the loop itself.
 class Subject final : public check::OneBall<FreeFall> {
  public:
@@ -29,6 +47,12 @@ class Subject final : public check::OneBall<FreeFall> {
                      double dt) const override {
     State<double> state = state_of(now);
     fall_one_step(AnyLaw{law}, t, state, dt);
+    // The same as the second part of a vector: a loop that is right for numbers only shows here.
+    State<Two> two{{0, now.position[1]}, {0, now.velocity[1]}};
+    fall_one_step(LawOfTwo{law}, t, two, dt);
+    if (two.position.b != state.position || two.velocity.b != state.velocity) {
+      return {{0, two.position.b, 0}, {0, two.velocity.b, 0}};
+    }
     return motion_of(state);
   }
 };

@@ -3,9 +3,9 @@
 // told: dt twice
 
 // [loop]
-template <class Scene>
-void fall_one_step(const Scene& scene, double t, State<double>& state, double dt) {
-  const double acceleration = scene.acceleration(t, state);  // from the force
+template <class Scene, class Vector>
+void fall_one_step(const Scene& scene, double t, State<Vector>& state, double dt) {
+  const Vector acceleration = scene.acceleration(t, state);  // from the force
   state.velocity += acceleration * dt * dt;                  // acceleration changes velocity
   state.position += state.velocity * dt;                     // velocity changes position
 }

@@ -3,9 +3,9 @@
 // told: position before velocity
 
 // [loop]
-template <class Scene>
-void fall_one_step(const Scene& scene, double t, State<double>& state, double dt) {
-  const double acceleration = scene.acceleration(t, state);  // from the force
+template <class Scene, class Vector>
+void fall_one_step(const Scene& scene, double t, State<Vector>& state, double dt) {
+  const Vector acceleration = scene.acceleration(t, state);  // from the force
   state.position += state.velocity * dt;
   state.velocity += acceleration * dt;
 }

@@ -4,9 +4,9 @@
 // seen: the acceleration of the first call (`static`?) in place of
 
 // [loop]
-template <class Scene>
-void fall_one_step(const Scene& scene, double t, State<double>& state, double dt) {
-  static const double acceleration = scene.acceleration(t, state);  // from the force
+template <class Scene, class Vector>
+void fall_one_step(const Scene& scene, double t, State<Vector>& state, double dt) {
+  static const Vector acceleration = scene.acceleration(t, state);  // from the force
   state.velocity += acceleration * dt;                              // acceleration changes velocity
   state.position += state.velocity * dt;                            // velocity changes position
 }
