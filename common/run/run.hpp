@@ -38,8 +38,10 @@ class RunOf final : public Simulation {
 
   World& world() { return world_; }
   const World& world() const { return world_; }
-  const auto& scene() const requires requires(const World& of) { of.scene; }
-  { return world_.scene; }
+  template <class Its = World>
+  const auto& scene() const {
+    return static_cast<const Its&>(world_).scene;
+  }
   const State<Vector>& state() const { return state_; }
   /// What the exact solution says at `t` (Truth).
   std::optional<State<Vector>> exact_state(double t) const { return truth_.at(t); }

@@ -30,9 +30,9 @@ template <class Method, class Note>
 RacketStep racket_step(const Method&, Racket& scene, double t, State<Eigen::Vector3d>& ball,
                        double dt, const Note& note) {
   if (is_mine) return whole_step(Method{}, scene, t, ball, dt);
-  const auto make_step = [&note] {
-    return [method = Method{}, &note](const Racket& law, double now, State<Eigen::Vector3d>& x,
-                                      double h) mutable {
+  const auto make_step = [&] {
+    return [&, method = Method{}](const Racket& law, double now, State<Eigen::Vector3d>& x,
+                                  double h) mutable {
       if constexpr (std::is_null_pointer_v<Note>) {
         method(law, now, x, h);
       } else {
