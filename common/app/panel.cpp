@@ -1,39 +1,18 @@
 #include "app/panel.hpp"
 
 #include <SDL.h>
-#include <imgui.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
+#include <cstdio>
 
-#include "app/drawing.hpp"
 #include "app/layout.hpp"
-#include "app/palette.hpp"
+#include "app/widgets.hpp"
 
 namespace bounce {
 namespace {
 
-constexpr double future_length = 3;    // s drawn ahead while a slider moves
 constexpr int future_lingers = 150;    // frames after the slider was let go
 constexpr Range dt_slider{1e-5, 0.1};  // s
-
-ImVec4 colour(Colour c) {
-  return {static_cast<float>(c.red) / 255, static_cast<float>(c.green) / 255,
-          static_cast<float>(c.blue) / 255, static_cast<float>(c.alpha) / 255};
-}
-
-bool slide(const char* name, double& value, Range range) {
-  const bool logarithmic = range.lowest > 0 && range.highest >= 50 * range.lowest;
-  return ImGui::SliderScalar(name, ImGuiDataType_Double, &value, &range.lowest, &range.highest,
-                             "%.5g", logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
-}
-
-void heading(const char* words) {
-  ImGui::Spacing();
-  ImGui::Separator();
-  ImGui::TextColored(colour(palette::exact), "%s", words);
-}
 
 }  // namespace
 
@@ -99,79 +78,6 @@ void Panel::draw(Player& player, View& view) {
   }
 }
 
-void Panel::draw_parameters(Player& player, View& view, bool main_ones) {
-  const std::vector<Parameter> parameters = player.simulation().parameters();
-  if (main_ones) {
-    for (const std::string& name : demo_.sliders) {
-      draw_parameter(player, view, find_parameter(parameters, name));
-    }
-    return;
-  }
-  for (const Parameter& parameter : parameters) {
-    const auto& main = demo_.sliders;
-    if (std::find(main.begin(), main.end(), parameter.name) == main.end()) {
-      draw_parameter(player, view, parameter);
-    }
-  }
-}
-
-void Panel::draw_parameter(Player& player, View& view, const Parameter& parameter) {
-  const auto apply = [&](const std::string& text) {
-    player.change(
-        [&](Simulation& simulation) {
-          const std::vector<Parameter> all = simulation.parameters();
-          const Parameter& changed = find_parameter(all, parameter.name);
-          if (demo_.set) {
-            demo_.set(simulation, changed, text);
-          } else {
-            changed.set(text);
-          }
-        },
-        parameter.is_start);
-    cost_is_old_ = true;
-  };
-  if (const auto* choice = std::get_if<Choice>(&parameter.value)) {
-    for (std::size_t i = 0; i < choice->names.size(); ++i) {
-      const std::string& name = choice->names[i];
-      if (ImGui::RadioButton(name.c_str(), choice->selected() == i)) apply(name);
-      ImGui::SameLine();
-    }
-    ImGui::TextUnformatted(parameter.name.c_str());
-  } else if (const auto* vector = std::get_if<Components>(&parameter.value)) {
-    std::vector<double> value(vector->begin(), vector->end());
-    const Range& range = parameter.slider;
-    if (ImGui::SliderScalarN(parameter.name.c_str(), ImGuiDataType_Double, value.data(),
-                             static_cast<int>(value.size()), &range.lowest, &range.highest,
-                             "%.3g") &&
-        parameter.allows(value)) {
-      apply(to_text(value));
-    }
-    note_slider(player, view);
-    ImGui::SameLine();
-    ImGui::TextColored(colour(palette::exact), "%s", parameter.unit.c_str());
-  } else {
-    double value = **std::get_if<double*>(&parameter.value);
-    const bool moved = slide(parameter.name.c_str(), value, parameter.slider);
-    if (parameter.is_whole) value = std::round(value);
-    if (moved && parameter.allows({&value, 1})) apply(to_text(value));
-    note_slider(player, view);
-    ImGui::SameLine();
-    ImGui::TextColored(colour(palette::exact), "%s", parameter.unit.c_str());
-  }
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", parameter.meaning.c_str());
-}
-
-void Panel::draw_dial(Player& player, View& view, const Dial& dial) {
-  double value = dial.get(player.simulation());
-  if (slide(dial.name.c_str(), value, dial.range) && std::isfinite(value)) {
-    player.change([&](Simulation& simulation) { dial.set(simulation, value); });
-  }
-  note_slider(player, view);
-  ImGui::SameLine();
-  ImGui::TextColored(colour(palette::exact), "%s", dial.unit.c_str());
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", dial.meaning.c_str());
-}
-
 void Panel::draw_keys() {
   const float bottom = layout::panel.height - 50;
   if (ImGui::GetCursorPosY() > bottom) return;  // "more" is open and needs the room
@@ -180,13 +86,6 @@ void Panel::draw_keys() {
                      "P pause   . , step   R restart   O slow   L lens\n"
                      "%s   E errors   F1 all keys   Esc quit   mouse: throw",
                      demo_.in_space ? "T from above" : "F12 picture");
-}
-
-/// When a slider is taken, what would have happened is kept for comparison; while it moves, what
-/// would happen now is drawn.
-void Panel::note_slider(Player& player, View& view) {
-  if (ImGui::IsItemActivated()) view.earlier = player.future(future_length);
-  if (ImGui::IsItemActive()) frames_since_slider_ = 0;
 }
 
 void Panel::draw_play_row(Player& player) {
@@ -235,66 +134,6 @@ void Panel::draw_method(Player& player, View& view) {
   note_slider(player, view);
   ImGui::SameLine();
   ImGui::TextColored(colour(palette::exact), "s");
-}
-
-void Panel::measure_cost(const Player& player) {
-  const std::unique_ptr<Simulation> copy = player.simulation().clone();
-  copy->keep_energy_book(false);
-  const double steps = std::max(10.0, 20000 / static_cast<double>(copy->balls()));
-  const auto begin = std::chrono::steady_clock::now();
-  try {
-    copy->advance_to(copy->time() + steps * copy->dt());
-  } catch (const std::exception&) {
-    return;
-  }
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-  ns_per_step_ = taken.count() / steps * 1e9;
-  counted_per_second_ = static_cast<double>(copy->counted_force_evaluations() -
-                                            player.simulation().counted_force_evaluations()) /
-                        (copy->time() - player.simulation().time());
-  cost_is_old_ = false;
-}
-
-void Panel::draw_cost_and_error(Player& player) {
-  heading("cost and error, now");
-  const Simulation& simulation = player.simulation();
-  if (simulation.method() == methods::exact) {
-    ImGui::Text("no steps: from event to event by formula");
-  } else if (simulation.method() == methods::reference) {
-    ImGui::Text("steps chosen for a tolerance of %.2g", simulation.tolerance());
-  } else {
-    // Where events are located, how many there are depends on the movement: they are counted.
-    const int a_step = simulation.method().evaluations;
-    if (cost_is_old_ && (seen_ || a_step == 0)) measure_cost(player);
-    const double rate = a_step == 0 ? counted_per_second_ : a_step / simulation.dt();
-    ImGui::Text("%.4g force evaluations per second", rate);
-    if (seen_ && !cost_is_old_) {
-      ImGui::SameLine();
-      ImGui::TextColored(colour(palette::exact), "(%.2g us)",
-                         ns_per_step_ / simulation.dt() * 1e-3);
-    }
-  }
-  if (seen_ && simulation.balls() > 1) {
-    ImGui::Text("a frame: physics %.1f ms, drawing %.1f ms", 1e3 * frame_cost.physics,
-                1e3 * frame_cost.drawing);
-  }
-  if (player.pace() < 1) {
-    ImGui::Text("computing is too slow: time runs at %.2g x", player.pace());
-  }
-  if (const std::optional<StateError> error = simulation.error()) {
-    ImGui::Text("position off by %s", with_unit(error->position, "m").c_str());
-  }
-  const std::string warning =
-      player.trouble().empty() ? step_warning(simulation) : player.trouble();
-  if (!warning.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, colour(palette::warning));
-    ImGui::BeginChild("warning", {0, 78}, true);
-    ImGui::PushTextWrapPos(0);
-    ImGui::Text("! %s", warning.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::EndChild();
-    ImGui::PopStyleColor();
-  }
 }
 
 std::string Panel::command(Player& player) {

@@ -40,6 +40,8 @@ class Panel {
   void note_slider(Player& player, View& view);
   void measure_cost(const Player& player);
 
+  static constexpr double future_length = 3;  // s drawn ahead while a slider moves
+
   const Demo& demo_;
   bool seen_;                          // false: no figures that differ from run to run
   std::unique_ptr<Simulation> fresh_;  // the defaults

@@ -6,6 +6,7 @@
 
 #include "physics/contact.hpp"
 #include "physics/events/damped_oscillator.hpp"
+#include "physics/events/event_value.hpp"
 #include "physics/state.hpp"
 
 namespace bounce {
@@ -53,12 +54,6 @@ struct PhaseEnd {
   double after;
   Phase next;
   State<double> arrival = {never, 0};  // filled in by BouncePhases only
-};
-
-/// A function of time that is positive while a touch lasts, with its slope [per second].
-struct Lasting {
-  double value;
-  double slope;
 };
 
 /// Each phase of a ball above a level floor at height 0, in closed form. It serves every stage in

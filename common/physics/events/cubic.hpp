@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "physics/events/closed_form.hpp"
+#include "physics/events/event_value.hpp"
 
 namespace bounce {
 
@@ -51,9 +51,6 @@ class Cubic {
  private:
   double value_, slope_, square_, cube_, h_;
 };
-
-/// Whether a function that is positive at the start of a step stays so.
-enum class Look { lasts, ends, unclear };
 
 /// Judged by values and slopes at both ends of a step that resolves the movement: there the cubic
 /// is off by a small share of what its bend makes of a step. Where it comes closer to zero than

@@ -15,6 +15,11 @@ struct Glimpse {
   double window = std::numeric_limits<double>::infinity();  // s
 };
 
+/// -f, as sure as f.
+inline Glimpse operator-(const Glimpse& f) {
+  return {-f.value, -f.slope, -f.bend, f.max_bend, f.max_turn, f.window};
+}
+
 /// How long f is certain to stay positive [s], from a glimpse with value >= 0. It cannot fall
 /// faster than its bounds allow:
 ///   f(s) >= value + slope s - max_bend s^2 / 2,                    positive up to its root;

@@ -16,11 +16,8 @@ namespace bounce {
 /// ends. Within a piece the law is smooth, so that a stepping method keeps its order across
 /// bounces; without the cuts every method falls to order 1 at a damped touch.
 ///
-/// `Phases` is a type like BouncePhases (closed_form.hpp) which also tells, for each phase, a law
-///   Vector acceleration(Phase, t, const State<Vector>&)
-/// that is smooth across the phase's end, and, for a touch, the functions whose signs tell that it
-/// lasts (`Lasting`), one for each phase that can come next. Times count from the phase's start. A
-/// flight is a parabola, and its end is known by formula, or by the search that `exact` uses.
+/// `Phases` tells what the phases are: see the concept of that name in concepts.hpp. A flight is a
+/// parabola, and its end is known by formula, or by the search that `exact` uses.
 template <class Phases, class Vector>
 class LocatedEvents {
  public:
@@ -171,14 +168,6 @@ class LocatedEvents {
     // Where the function falls all the way, it has one zero.
     const bool falls = now.slope < -max_bend * dt;
     return now.value <= 0 && (falls || tiny) ? Look::ends : Look::unclear;
-  }
-
-  /// With |f''| <= B (`max_bend`), f stays above its parabola value + slope s - B s^2 / 2, which is
-  /// positive between two moments at which it is; and f stays above its chord minus B dt^2 / 8.
-  static bool certain_to_last(const Lasting& before, const Lasting& after, double dt,
-                              double max_bend) {
-    if (before.value + (before.slope - max_bend * dt / 2) * dt > 0) return true;
-    return std::min(before.value, after.value) > max_bend * dt * dt / 8;
   }
 
   /// Where several things end the touch within a step of `dt`, the first of them does: `next`.

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "05_ball_collision/ball_collision.hpp"
+#include "05_ball_collision/reference/saved_pairs.hpp"
 #include "05_ball_collision/reference/touching.hpp"
 #include "physics/events/closed_form.hpp"
 
@@ -51,15 +51,15 @@ class BallContacts {
   template <class Self, class Visit>
   static void remembered(Self& self, Visit& visit) {
     if constexpr (Visit::reads) {
-      if (!self.recall_phases(visit.rest())) visit.refuse("who touches");
+      const auto pairs = pairs_from_numbers(visit.rest(), self.scene_.mass.size());
+      if (!pairs) return visit.refuse("who touches");
+      self.held_ = *pairs;
     } else {
-      for (const double number : self.phases()) visit("who touches", number);
+      for (const double number : as_numbers(self.held_)) visit("who touches", number);
     }
   }
 
  private:
-  std::vector<double> phases() const;
-  bool recall_phases(std::span<const double> numbers);
   SpringDamper law_of(const Touching& two) const {
     return two.is_surface() ? scene_.floor_contact() : scene_.pair_contact();
   }
@@ -223,35 +223,6 @@ inline double BallContacts::time_scale() const {
   const double c = std::max(scene_.damping, scene_.floor_damping);
   const double lightest = scene_.mass.minCoeff();
   return 1 / (natural_frequency(k, lightest) + c / lightest);
-}
-
-inline std::vector<double> BallContacts::phases() const {
-  std::vector<double> numbers;
-  for (const Touching& two : held_) {
-    for (const int number : {two.first, two.second, two.axis, two.sign}) numbers.push_back(number);
-    numbers.push_back(two.phase == Phase::touch ? 1 : 2);
-  }
-  return numbers;
-}
-
-inline bool BallContacts::recall_phases(std::span<const double> numbers) {
-  held_.clear();
-  if (numbers.size() % 5 != 0) return false;
-  for (; !numbers.empty(); numbers = numbers.subspan(5)) {
-    const auto is_whole = [&](std::size_t i, double low, double high) {
-      return numbers[i] >= low && numbers[i] <= high && numbers[i] == std::floor(numbers[i]);
-    };
-    const auto last = static_cast<double>(scene_.mass.size() - 1);
-    if (!is_whole(0, 0, last) || !is_whole(1, -1, last) || !is_whole(2, 0, 2) ||
-        !is_whole(3, -1, 1) || !is_whole(4, 1, 2)) {
-      return false;
-    }
-    const auto whole = [&](std::size_t i) { return static_cast<int>(numbers[i]); };
-    held_.push_back(
-        {whole(0), whole(1), whole(2), whole(3), whole(4) == 1 ? Phase::touch : Phase::let_go});
-  }
-  std::sort(held_.begin(), held_.end());
-  return true;
 }
 
 }  // namespace bounce
