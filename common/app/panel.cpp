@@ -34,7 +34,7 @@ Panel::Panel(const Demo& demo, bool seen) : demo_(demo), seen_(seen), fresh_(dem
   style.Colors[ImGuiCol_FrameBg] = colour(palette::grid_minor);
 }
 
-void Panel::draw(Player& player, View& view) {
+void Panel::draw(Playback& playback, View& view) {
   ImGui::SetNextWindowPos({layout::panel.x, layout::panel.y});
   ImGui::SetNextWindowSize({layout::panel.width, layout::panel.height});
   ImGui::Begin("panel", nullptr,
@@ -47,11 +47,11 @@ void Panel::draw(Player& player, View& view) {
 
   ImGui::PushItemWidth(226);
   ++frames_since_slider_;
-  for (const Dial& dial : demo_.dials) draw_dial(player, view, dial);
-  draw_parameters(player, view, true);
-  draw_play_row(player);
-  draw_method(player, view);
-  draw_cost_and_error(player);
+  for (const Dial& dial : demo_.dials) draw_dial(playback, view, dial);
+  draw_parameters(playback, view, true);
+  draw_play_row(playback);
+  draw_method(playback, view);
+  draw_cost_and_error(playback);
 
   heading("see");
   ImGui::Checkbox("arrows", &view.forces);
@@ -60,18 +60,18 @@ void Panel::draw(Player& player, View& view) {
   ImGui::SameLine();
   ImGui::Checkbox("trail", &view.trail);
   ImGui::SameLine();
-  ImGui::Checkbox("lens (L)", &player.contact_lens);
-  if (ImGui::Button("copy command") && seen_) SDL_SetClipboardText(command(player).c_str());
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", command(player).c_str());
+  ImGui::Checkbox("lens (L)", &playback.contact_lens);
+  if (ImGui::Button("copy command") && seen_) SDL_SetClipboardText(command(playback).c_str());
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", command(playback).c_str());
   ImGui::SameLine();
   if (ImGui::Button("keys (F1)")) view.help = !view.help;
-  if (ImGui::CollapsingHeader("more parameters")) draw_parameters(player, view, false);
+  if (ImGui::CollapsingHeader("more parameters")) draw_parameters(playback, view, false);
   ImGui::PopItemWidth();
   draw_keys();
   ImGui::End();
 
   if (frames_since_slider_ < future_lingers) {
-    view.future = player.future(future_length);
+    view.future = playback.future(future_length);
   } else {
     view.future.clear();
     view.earlier.clear();
@@ -88,56 +88,56 @@ void Panel::draw_keys() {
                      demo_.in_space ? "T from above" : "F12 picture");
 }
 
-void Panel::draw_play_row(Player& player) {
+void Panel::draw_play_row(Playback& playback) {
   heading("play");
-  if (ImGui::Button(player.paused ? "play (P)" : "pause (P)", {96, 0}))
-    player.paused = !player.paused;
+  if (ImGui::Button(playback.paused ? "play (P)" : "pause (P)", {96, 0}))
+    playback.paused = !playback.paused;
   ImGui::SameLine();
-  if (ImGui::Button("<")) player.step_back();
+  if (ImGui::Button("<")) playback.step_back();
   ImGui::SameLine();
-  if (ImGui::Button(">")) player.step_forward();
+  if (ImGui::Button(">")) playback.step_forward();
   ImGui::SameLine();
-  if (ImGui::Button("restart (R)")) player.restart();
+  if (ImGui::Button("restart (R)")) playback.restart();
   ImGui::SameLine();
-  bool slow = player.rate < 1;
-  if (ImGui::Checkbox("slow (O)", &slow)) player.rate = slow ? 0.1 : 1;
+  bool slow = playback.rate < 1;
+  if (ImGui::Checkbox("slow (O)", &slow)) playback.rate = slow ? 0.1 : 1;
 
   // Scrub: drag back into the last minute; it plays on from there.
-  const double now = player.simulation().time();
+  const double now = playback.simulation().time();
   double wanted = now;
-  const double earliest = player.earliest(), latest = std::max(now, earliest + 1e-9);
+  const double earliest = playback.earliest(), latest = std::max(now, earliest + 1e-9);
   if (ImGui::SliderScalar("time", ImGuiDataType_Double, &wanted, &earliest, &latest, "%.3f s") &&
       wanted < now) {
-    player.go_back_to(wanted);
+    playback.go_back_to(wanted);
   }
   char rate[48] = "";
-  const double pace = player.current_rate() * player.pace();
+  const double pace = playback.current_rate() * playback.pace();
   if (pace != 1) std::snprintf(rate, sizeof rate, "%.2g x", pace);
   ImGui::SameLine();
   ImGui::TextColored(colour(palette::exact), "%s", rate);
 }
 
-void Panel::draw_method(Player& player, View& view) {
+void Panel::draw_method(Playback& playback, View& view) {
   heading("method");
-  Simulation& simulation = player.simulation();
+  Simulation& simulation = playback.simulation();
   if (ImGui::BeginCombo("##method", name_of(simulation.method()).c_str())) {
     for (const Method method : simulation.methods()) {
       if (!ImGui::Selectable(name_of(method).c_str(), method == simulation.method())) continue;
-      player.change([method](Simulation& s) { s.use_method(method); });
+      playback.change([method](Simulation& s) { s.use_method(method); });
       cost_is_old_ = true;
     }
     ImGui::EndCombo();
   }
   if (simulation.method().goes_by_events) return;
   double dt = simulation.dt();
-  if (slide("dt", dt, dt_slider) && dt > 0) player.change([dt](Simulation& s) { s.use_dt(dt); });
-  note_slider(player, view);
+  if (slide("dt", dt, dt_slider) && dt > 0) playback.change([dt](Simulation& s) { s.use_dt(dt); });
+  note_slider(playback, view);
   ImGui::SameLine();
   ImGui::TextColored(colour(palette::exact), "s");
 }
 
-std::string Panel::command(Player& player) {
-  return command_for(demo_.stage, player.simulation(), *fresh_);
+std::string Panel::command(Playback& playback) {
+  return command_for(demo_.stage, playback.simulation(), *fresh_);
 }
 
 }  // namespace bounce

@@ -8,8 +8,8 @@
 
 namespace bounce {
 
-void Panel::measure_cost(const Player& player) {
-  const std::unique_ptr<Simulation> copy = player.simulation().clone();
+void Panel::measure_cost(const Playback& playback) {
+  const std::unique_ptr<Simulation> copy = playback.simulation().clone();
   copy->keep_energy_book(false);
   const double steps = std::max(10.0, 20000 / static_cast<double>(copy->balls()));
   const auto begin = std::chrono::steady_clock::now();
@@ -21,14 +21,14 @@ void Panel::measure_cost(const Player& player) {
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
   ns_per_step_ = taken.count() / steps * 1e9;
   counted_per_second_ = static_cast<double>(copy->counted_force_evaluations() -
-                                            player.simulation().counted_force_evaluations()) /
-                        (copy->time() - player.simulation().time());
+                                            playback.simulation().counted_force_evaluations()) /
+                        (copy->time() - playback.simulation().time());
   cost_is_old_ = false;
 }
 
-void Panel::draw_cost_and_error(Player& player) {
+void Panel::draw_cost_and_error(Playback& playback) {
   heading("cost and error, now");
-  const Simulation& simulation = player.simulation();
+  const Simulation& simulation = playback.simulation();
   if (simulation.method() == methods::exact) {
     ImGui::Text("no steps: from event to event by formula");
   } else if (simulation.method() == methods::reference) {
@@ -36,7 +36,7 @@ void Panel::draw_cost_and_error(Player& player) {
   } else {
     // Where events are located, how many there are depends on the movement: they are counted.
     const int a_step = simulation.method().evaluations;
-    if (cost_is_old_ && (seen_ || a_step == 0)) measure_cost(player);
+    if (cost_is_old_ && (seen_ || a_step == 0)) measure_cost(playback);
     const double rate = a_step == 0 ? counted_per_second_ : a_step / simulation.dt();
     ImGui::Text("%.4g force evaluations per second", rate);
     if (seen_ && !cost_is_old_) {
@@ -49,14 +49,14 @@ void Panel::draw_cost_and_error(Player& player) {
     ImGui::Text("a frame: physics %.1f ms, drawing %.1f ms", 1e3 * frame_cost.physics,
                 1e3 * frame_cost.drawing);
   }
-  if (player.pace() < 1) {
-    ImGui::Text("computing is too slow: time runs at %.2g x", player.pace());
+  if (playback.pace() < 1) {
+    ImGui::Text("computing is too slow: time runs at %.2g x", playback.pace());
   }
   if (const std::optional<StateError> error = simulation.error()) {
     ImGui::Text("position off by %s", with_unit(error->position, "m").c_str());
   }
   const std::string warning =
-      player.trouble().empty() ? step_warning(simulation) : player.trouble();
+      playback.trouble().empty() ? step_warning(simulation) : playback.trouble();
   if (!warning.empty()) {
     ImGui::PushStyleColor(ImGuiCol_ChildBg, colour(palette::warning));
     ImGui::BeginChild("warning", {0, 78}, true);

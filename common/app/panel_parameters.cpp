@@ -7,25 +7,25 @@
 
 namespace bounce {
 
-void Panel::draw_parameters(Player& player, View& view, bool main_ones) {
-  const std::vector<Parameter> parameters = player.simulation().parameters();
+void Panel::draw_parameters(Playback& playback, View& view, bool main_ones) {
+  const std::vector<Parameter> parameters = playback.simulation().parameters();
   if (main_ones) {
     for (const std::string& name : demo_.sliders) {
-      draw_parameter(player, view, find_parameter(parameters, name));
+      draw_parameter(playback, view, find_parameter(parameters, name));
     }
     return;
   }
   for (const Parameter& parameter : parameters) {
     const auto& main = demo_.sliders;
     if (std::find(main.begin(), main.end(), parameter.name) == main.end()) {
-      draw_parameter(player, view, parameter);
+      draw_parameter(playback, view, parameter);
     }
   }
 }
 
-void Panel::draw_parameter(Player& player, View& view, const Parameter& parameter) {
+void Panel::draw_parameter(Playback& playback, View& view, const Parameter& parameter) {
   const auto apply = [&](const std::string& text) {
-    player.change(
+    playback.change(
         [&](Simulation& simulation) {
           const std::vector<Parameter> all = simulation.parameters();
           const Parameter& changed = find_parameter(all, parameter.name);
@@ -54,7 +54,7 @@ void Panel::draw_parameter(Player& player, View& view, const Parameter& paramete
         parameter.allows(value)) {
       apply(to_text(value));
     }
-    note_slider(player, view);
+    note_slider(playback, view);
     ImGui::SameLine();
     ImGui::TextColored(colour(palette::exact), "%s", parameter.unit.c_str());
   } else {
@@ -62,19 +62,19 @@ void Panel::draw_parameter(Player& player, View& view, const Parameter& paramete
     const bool moved = slide(parameter.name.c_str(), value, parameter.slider);
     if (parameter.is_whole) value = std::round(value);
     if (moved && parameter.allows({&value, 1})) apply(to_text(value));
-    note_slider(player, view);
+    note_slider(playback, view);
     ImGui::SameLine();
     ImGui::TextColored(colour(palette::exact), "%s", parameter.unit.c_str());
   }
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", parameter.meaning.c_str());
 }
 
-void Panel::draw_dial(Player& player, View& view, const Dial& dial) {
-  double value = dial.get(player.simulation());
+void Panel::draw_dial(Playback& playback, View& view, const Dial& dial) {
+  double value = dial.get(playback.simulation());
   if (slide(dial.name.c_str(), value, dial.range) && std::isfinite(value)) {
-    player.change([&](Simulation& simulation) { dial.set(simulation, value); });
+    playback.change([&](Simulation& simulation) { dial.set(simulation, value); });
   }
-  note_slider(player, view);
+  note_slider(playback, view);
   ImGui::SameLine();
   ImGui::TextColored(colour(palette::exact), "%s", dial.unit.c_str());
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", dial.meaning.c_str());
@@ -82,8 +82,8 @@ void Panel::draw_dial(Player& player, View& view, const Dial& dial) {
 
 /// When a slider is taken, what would have happened is kept for comparison; while it moves, what
 /// would happen now is drawn.
-void Panel::note_slider(Player& player, View& view) {
-  if (ImGui::IsItemActivated()) view.earlier = player.future(future_length);
+void Panel::note_slider(Playback& playback, View& view) {
+  if (ImGui::IsItemActivated()) view.earlier = playback.future(future_length);
   if (ImGui::IsItemActive()) frames_since_slider_ = 0;
 }
 

@@ -31,7 +31,7 @@ bool show_window(const Demo& demo, std::unique_ptr<Simulation> simulation, const
     frame = static_cast<double>(now - last) / frequency;
     last = now;
   }
-  if (!options.save.empty()) save_state(options.save, demo.stage, window->player().simulation());
+  if (!options.save.empty()) save_state(options.save, demo.stage, window->playback().simulation());
   return true;
 }
 
@@ -39,15 +39,15 @@ void save_picture(const Demo& demo, std::unique_ptr<Simulation> simulation, cons
                   const std::string& path) {
   Window window(demo, std::move(simulation), options, false);
   window.view().forces = true;
-  Player& player = window.player();
-  while (player.shown_time() < options.duration && player.trouble().empty()) {
-    const double left = options.duration - player.shown_time();
-    player.frame(left < 1.5 / 60 ? left : 1.0 / 60);
+  Playback& playback = window.playback();
+  while (playback.shown_time() < options.duration && playback.trouble().empty()) {
+    const double left = options.duration - playback.shown_time();
+    playback.frame(left < 1.5 / 60 ? left : 1.0 / 60);
     if (left < 1e-9) break;
   }
-  if (player.is_refused()) throw BadInput(player.trouble());
+  if (playback.is_refused()) throw BadInput(playback.trouble());
   window.keep_pixels = true;
-  player.paused = true;
+  playback.paused = true;
   window.tick(0);  // Dear ImGui lays out in the first frame,
   window.tick(0);  // and draws in the second
   write_png(path, window.pixels());
@@ -61,12 +61,12 @@ void record_clip(const Demo& demo, std::unique_ptr<Simulation> simulation, const
   window.keep_pixels = true;
   catch_interrupts();
   const double frame = 1.0 / recorder.frames_per_second();
-  const Player& player = window.player();
-  while (player.shown_time() < options.duration && window.tick(frame) && !interrupted()) {
+  const Playback& playback = window.playback();
+  while (playback.shown_time() < options.duration && window.tick(frame) && !interrupted()) {
     recorder.add(window.pixels());
-    if (!player.trouble().empty()) break;  // its last picture says so
+    if (!playback.trouble().empty()) break;  // its last picture says so
   }
-  if (player.is_refused()) throw BadInput(player.trouble());
+  if (playback.is_refused()) throw BadInput(playback.trouble());
   recorder.finish();
 }
 

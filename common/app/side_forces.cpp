@@ -28,10 +28,10 @@ void draw_force(Canvas& canvas, Point from, double force, double weight, Colour 
 
 }  // namespace
 
-void draw_forces(Canvas& canvas, const Player& player, const View& view, const BallOnALine& ball,
-                 Point centre, float radius, float ground) {
+void draw_forces(Canvas& canvas, const Playback& playback, const View& view,
+                 const BallOnALine& ball, Point centre, float radius, float ground) {
   const Forces<double> now =
-      ball.forces(player.shown_time(), state_in<double>(player.shown_values()));
+      ball.forces(playback.shown_time(), state_in<double>(playback.shown_values()));
   const double weight = std::abs(now.gravity);
   draw_force(canvas, centre, now.gravity, weight, palette::gravity, 1, "", Align::left);
   if (weight > 0) {  // beside the ball, where no other arrow comes
@@ -45,13 +45,13 @@ void draw_forces(Canvas& canvas, const Player& player, const View& view, const B
   // A contact is over in two frames: its largest force stays in sight for a while.
   Forces<double> peak{};
   double age = peak_hold;
-  for (auto point = player.trace().rbegin(); point != player.trace().rend(); ++point) {
-    if (player.shown_time() - point->t > peak_hold) break;
-    if (point->t > player.shown_time()) continue;
+  for (auto point = playback.trace().rbegin(); point != playback.trace().rend(); ++point) {
+    if (playback.shown_time() - point->t > peak_hold) break;
+    if (point->t > playback.shown_time()) continue;
     const Forces<double> then = ball.forces(point->t, state_in<double>(point->values));
     if (then.spring <= peak.spring) continue;
     peak = then;
-    age = player.shown_time() - point->t;
+    age = playback.shown_time() - point->t;
   }
   const Point contact{centre.x, std::min(ground, centre.y + radius)};
   const Point left{contact.x - 10, contact.y}, right{contact.x + 10, contact.y};
@@ -63,7 +63,7 @@ void draw_forces(Canvas& canvas, const Player& player, const View& view, const B
     draw_force(canvas, {left.x, ground}, peak.spring, weight, palette::spring, share,
                "spring, peak", Align::right);
   }
-  const double speed = state_in<double>(player.shown_values()).velocity;
+  const double speed = state_in<double>(playback.shown_values()).velocity;
   const Point foot{centre.x + radius + 40, centre.y};
   const Point tip{foot.x, foot.y - static_cast<float>(speed) * per_metre_per_second};
   draw_arrow(canvas, foot, tip, palette::motion, Shaft::velocity);

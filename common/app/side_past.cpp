@@ -16,11 +16,11 @@ double speed_of(const std::vector<double>& values) { return state_in<double>(val
 
 }  // namespace
 
-void draw_past(Canvas& canvas, const Player& player, const TimePath& path, const BallOnALine& ball,
-               const View& view) {
+void draw_past(Canvas& canvas, const Playback& playback, const TimePath& path,
+               const BallOnALine& ball, const View& view) {
   constexpr std::size_t piece = 24;  // points drawn with the same paleness
-  const auto& trace = player.trace();
-  const double now = player.shown_time();
+  const auto& trace = playback.trace();
+  const double now = playback.shown_time();
   const double oldest = now - (column_x(ball) - ruler_x) / TimePath::pixels_per_second;
   std::vector<Point> curve, exact, floor;
   float last_label = -100;
@@ -55,20 +55,21 @@ void draw_past(Canvas& canvas, const Player& player, const TimePath& path, const
       draw_label(canvas, {top.x, top.y - 20}, text, palette::ink, Align::centre);
     }
   }
-  if (player.shown_time() > oldest) curve.push_back(path.at(now, height_of(player.shown_values())));
+  if (playback.shown_time() > oldest)
+    curve.push_back(path.at(now, height_of(playback.shown_values())));
   flush(now);
   canvas.line(floor, palette::ink.faded(0.4), 1.5f);
 }
 
-void draw_strobe(Canvas& canvas, const Player& player, const SideCamera& camera, float x,
+void draw_strobe(Canvas& canvas, const Playback& playback, const SideCamera& camera, float x,
                  float radius, bool ghost) {
-  const auto& trace = player.trace();
+  const auto& trace = playback.trace();
   float last_label = -100;
   for (std::size_t i = 1; i < trace.size(); ++i) {
     const TracePoint &before = trace[i - 1], &after = trace[i];
     const double n = std::max(0.0, std::ceil(before.t / strobe_interval - 1e-9));
     const double t = n * strobe_interval;
-    if (t >= after.t - 1e-9 || t > player.shown_time()) continue;
+    if (t >= after.t - 1e-9 || t > playback.shown_time()) continue;
     const double share = (t - before.t) / (after.t - before.t);
     const auto height = [&](const std::vector<double>& a, const std::vector<double>& b) {
       return camera.at(0, height_of(a) + share * (height_of(b) - height_of(a))).y;

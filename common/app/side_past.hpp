@@ -51,11 +51,11 @@ class TimePath {
 };
 
 /// What the trace holds, to the left of the ball: height against time, and the tops' heights.
-void draw_past(Canvas& canvas, const Player& player, const TimePath& path, const BallOnALine& ball,
-               const View& view);
+void draw_past(Canvas& canvas, const Playback& playback, const TimePath& path,
+               const BallOnALine& ball, const View& view);
 
 /// The same as images of the ball, one every tenth of a second, beside those of the exact solution.
-void draw_strobe(Canvas& canvas, const Player& player, const SideCamera& camera, float x,
+void draw_strobe(Canvas& canvas, const Playback& playback, const SideCamera& camera, float x,
                  float radius, bool ghost);
 
 void draw_time_axis(Canvas& canvas, const TimePath& path, double now, float y, float column);

@@ -70,10 +70,10 @@ void draw_gap(Canvas& canvas, Point ball, Point ghost, double metres) {
              palette::ink, Align::left, TextSize::normal);
 }
 
-SideCamera side_camera(const Player& player, const BallOnALine& ball) {
+SideCamera side_camera(const Playback& playback, const BallOnALine& ball) {
   const Rect& area = layout::scene;
   double highest = ball.highest;
-  for (const TracePoint& point : player.trace()) {
+  for (const TracePoint& point : playback.trace()) {
     while (height_of(point.values) + ball.radius > highest && highest < 1e12) highest *= 2;
   }
   const double lowest = ball.floor ? ball.lowest * highest / ball.highest : ball.lowest;
@@ -82,22 +82,22 @@ SideCamera side_camera(const Player& player, const BallOnALine& ball) {
   return {{column_x(ball), bottom + static_cast<float>(lowest) * per_metre}, per_metre};
 }
 
-bool is_on_ball(Point pixel, const Player& player, const BallOnALine& ball) {
-  const SideCamera camera = side_camera(player, ball);
-  const Point centre = camera.at(0, height_of(player.shown_values()));
+bool is_on_ball(Point pixel, const Playback& playback, const BallOnALine& ball) {
+  const SideCamera camera = side_camera(playback, ball);
+  const Point centre = camera.at(0, height_of(playback.shown_values()));
   const float reach = std::max(12.0f, camera.length(ball.radius));
   return std::hypot(pixel.x - centre.x, pixel.y - centre.y) < reach;
 }
 
 }  // namespace
 
-void draw_side_view(Canvas& canvas, const Player& player, const View& view,
+void draw_side_view(Canvas& canvas, const Playback& playback, const View& view,
                     const BallOnALine& ball) {
-  const SideCamera camera = side_camera(player, ball);
+  const SideCamera camera = side_camera(playback, ball);
   const Rect& area = layout::scene;
   const float x = column_x(ball);
-  const double now = player.shown_time();
-  const double y = height_of(player.shown_values());
+  const double now = playback.shown_time();
+  const double y = height_of(playback.shown_values());
   const float ground = camera.at(0, ball.floor_height ? ball.floor_height(now) : 0).y;
   const float radius = std::max(5.0f, camera.length(ball.radius));
   const Point centre = camera.at(0, y);
@@ -124,12 +124,12 @@ void draw_side_view(Canvas& canvas, const Player& player, const View& view,
     if (ball.floor) draw_ground(canvas, ruler_x, area.right() - 8, ground);
     if (!ball.strobe) draw_time_axis(canvas, path, now, ground + 12, x);
   }
-  if (ball.strobe && view.trail) draw_strobe(canvas, player, camera, x, radius, view.ghost);
-  if (!ball.strobe && view.trail) draw_past(canvas, player, path, ball, view);
+  if (ball.strobe && view.trail) draw_strobe(canvas, playback, camera, x, radius, view.ghost);
+  if (!ball.strobe && view.trail) draw_past(canvas, playback, path, ball, view);
 
   draw_ball(canvas, centre, radius);
   if (ball.floor) draw_overlap(canvas, centre, radius, ground);
-  const std::vector<double> exact = player.simulation().exact_values(now);
+  const std::vector<double> exact = playback.simulation().exact_values(now);
   if (view.ghost && !exact.empty()) {
     const Point ghost{x + (ball.strobe ? strobe_ghost_offset : 0),
                       camera.at(0, height_of(exact)).y};
@@ -140,23 +140,23 @@ void draw_side_view(Canvas& canvas, const Player& player, const View& view,
       draw_gap(canvas, centre, ghost, std::abs(y - height_of(exact)));
     }
   }
-  draw_forces(canvas, player, view, ball, centre, radius, ground);
+  draw_forces(canvas, playback, view, ball, centre, radius, ground);
   canvas.pop_clip();
 }
 
 void use_side_view(Demo& demo, const std::function<BallOnALine(const Simulation&)>& look) {
-  const auto ball = [look](const Player& player) { return look(player.simulation()); };
-  demo.picture = [ball](const Player& player, const View& view, Canvas& canvas) {
-    draw_side_view(canvas, player, view, ball(player));
+  const auto ball = [look](const Playback& playback) { return look(playback.simulation()); };
+  demo.picture = [ball](const Playback& playback, const View& view, Canvas& canvas) {
+    draw_side_view(canvas, playback, view, ball(playback));
   };
-  demo.is_on_ball = [ball](const Player& player, const View& /*view*/, Point at) {
-    return is_on_ball(at, player, ball(player));
+  demo.is_on_ball = [ball](const Playback& playback, const View& /*view*/, Point at) {
+    return is_on_ball(at, playback, ball(playback));
   };
-  demo.drag = [ball](Player& player, const View& /*view*/, Point at, Point velocity) {
-    const SideCamera camera = side_camera(player, ball(player));
+  demo.drag = [ball](Playback& playback, const View& /*view*/, Point at, Point velocity) {
+    const SideCamera camera = side_camera(playback, ball(playback));
     const double height = (camera.origin.y - at.y) / camera.per_metre;
     const double speed = std::clamp(-velocity.y / camera.per_metre, -fastest_throw, fastest_throw);
-    player.change([&](Simulation& simulation) { simulation.place({height, speed}); });
+    playback.change([&](Simulation& simulation) { simulation.place({height, speed}); });
   };
 }
 

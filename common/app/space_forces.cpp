@@ -46,10 +46,10 @@ void draw_velocity(Canvas& canvas, const Camera& camera, const State<Vector3d>& 
 
 }  // namespace
 
-void draw_forces(Canvas& canvas, const Camera& camera, const Player& player, const View& view,
+void draw_forces(Canvas& canvas, const Camera& camera, const Playback& playback, const View& view,
                  const BallInSpace& ball) {
-  const State<Vector3d> state = state_in<Vector3d>(player.shown_values());
-  const Forces<Vector3d> now = ball.forces(player.shown_time(), state);
+  const State<Vector3d> state = state_in<Vector3d>(playback.shown_values());
+  const Forces<Vector3d> now = ball.forces(playback.shown_time(), state);
   const double weight = now.gravity.norm();
   if (view.forces) draw_velocity(canvas, camera, state);
   draw_force(canvas, camera, state.position, 0, now.gravity, weight, palette::gravity, 1,
@@ -60,14 +60,14 @@ void draw_forces(Canvas& canvas, const Camera& camera, const Player& player, con
   Forces<Vector3d> peak{};
   Vector3d place = state.position;
   double age = peak_hold;
-  for (auto point = player.trace().rbegin(); point != player.trace().rend(); ++point) {
-    if (player.shown_time() - point->t > peak_hold) break;
-    if (point->t > player.shown_time()) continue;
+  for (auto point = playback.trace().rbegin(); point != playback.trace().rend(); ++point) {
+    if (playback.shown_time() - point->t > peak_hold) break;
+    if (point->t > playback.shown_time()) continue;
     const Forces<Vector3d> then = ball.forces(point->t, state_in<Vector3d>(point->values));
     if (then.spring.norm() <= peak.spring.norm()) continue;
     peak = then;
     place = state_in<Vector3d>(point->values).position;
-    age = player.shown_time() - point->t;
+    age = playback.shown_time() - point->t;
   }
   if (now.spring.norm() > 0) {
     const Vector3d foot = ball.plane.foot(state.position);

@@ -5,7 +5,7 @@
 namespace bounce {
 
 /// The arrows of the view in space: weight, spring, damper and velocity.
-void draw_forces(Canvas& canvas, const Camera& camera, const Player& player, const View& view,
+void draw_forces(Canvas& canvas, const Camera& camera, const Playback& playback, const View& view,
                  const BallInSpace& ball);
 
 }  // namespace bounce

@@ -26,16 +26,16 @@ struct Past {
   std::vector<Vector3d> exact;
 };
 
-Past past(const Player& player, double from) {
+Past past(const Playback& playback, double from) {
   Past past;
-  for (const TracePoint& point : player.trace()) {
-    if (point.t < from || point.t > player.shown_time()) continue;
+  for (const TracePoint& point : playback.trace()) {
+    if (point.t < from || point.t > playback.shown_time()) continue;
     past.times.push_back(point.t);
     past.points.push_back(position_in(point.values));
     if (!point.exact.empty()) past.exact.push_back(position_in(point.exact));
   }
-  past.times.push_back(player.shown_time());
-  past.points.push_back(position_in(player.shown_values()));
+  past.times.push_back(playback.shown_time());
+  past.points.push_back(position_in(playback.shown_values()));
   return past;
 }
 
@@ -45,7 +45,7 @@ struct Landing {
   Vector3d foot;
 };
 
-std::vector<Landing> landings(const Player& player, const BallInSpace& ball) {
+std::vector<Landing> landings(const Playback& playback, const BallInSpace& ball) {
   std::vector<Landing> all;
   const auto gap = [&](const TracePoint& point) {
     return ball.plane.distance(position_in(point.values)) - ball.radius;
@@ -55,10 +55,10 @@ std::vector<Landing> landings(const Player& player, const BallInSpace& ball) {
   };
   // A stiff contact can begin and end between two points of the trace. What always shows is that
   // the ball comes back; the touch is then found from the last point before it.
-  const auto& trace = player.trace();
+  const auto& trace = playback.trace();
   const TracePoint* last_in_flight = nullptr;
   for (const TracePoint& point : trace) {
-    if (point.t > player.shown_time()) break;
+    if (point.t > playback.shown_time()) break;
     if (last_in_flight != nullptr && speed(point) > 0) {
       const double wait = gap(*last_in_flight) / -speed(*last_in_flight);
       const Vector3d place = position_in(last_in_flight->values) +
@@ -73,11 +73,11 @@ std::vector<Landing> landings(const Player& player, const BallInSpace& ball) {
 
 }  // namespace
 
-void draw_trail(Canvas& canvas, const Camera& camera, const Player& player,
+void draw_trail(Canvas& canvas, const Camera& camera, const Playback& playback,
                 const BallInSpace& ball) {
   constexpr std::size_t piece = 24;  // points drawn with the same paleness
-  const double now = player.shown_time();
-  const Past trail = past(player, now - trail_length);
+  const double now = playback.shown_time();
+  const Past trail = past(playback, now - trail_length);
   const auto paleness = [&](double t) { return 1 - 0.85 * (now - t) / trail_length; };
   for (std::size_t i = 0; i + 1 < trail.points.size(); i += piece) {
     const std::size_t count = std::min(piece + 1, trail.points.size() - i);
@@ -100,9 +100,9 @@ void draw_trail(Canvas& canvas, const Camera& camera, const Player& player,
   }
 }
 
-void draw_landings(Canvas& canvas, const Camera& camera, const Player& player,
+void draw_landings(Canvas& canvas, const Camera& camera, const Playback& playback,
                    const BallInSpace& ball) {
-  const std::vector<Landing> marks = landings(player, ball);
+  const std::vector<Landing> marks = landings(playback, ball);
   const Vector3d across = axes_of(ball.plane).across;
   for (std::size_t i = 0; i < marks.size(); ++i) {
     const Vector3d& foot = marks[i].foot;

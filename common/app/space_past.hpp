@@ -14,11 +14,11 @@ inline Eigen::Vector3d position_in(const std::vector<double>& values) {
 }
 
 /// The trail fades with age and carries a dot every tenth of a second: even dots, even speed.
-void draw_trail(Canvas& canvas, const Camera& camera, const Player& player,
+void draw_trail(Canvas& canvas, const Camera& camera, const Playback& playback,
                 const BallInSpace& ball);
 
 /// Marks where the ball touched, with the way and the time from one mark to the next.
-void draw_landings(Canvas& canvas, const Camera& camera, const Player& player,
+void draw_landings(Canvas& canvas, const Camera& camera, const Playback& playback,
                    const BallInSpace& ball);
 
 }  // namespace bounce

@@ -32,7 +32,7 @@ Video::~Video() { SDL_Quit(); }
 
 Window::Window(const Demo& demo, std::unique_ptr<Simulation> simulation, const Options& options,
                bool seen)
-    : demo_(demo), seen_(seen), video_(seen), player_(std::move(simulation)) {
+    : demo_(demo), seen_(seen), video_(seen), playback_(std::move(simulation)) {
   const std::string title = "Bounce " + demo.title;
   window_ = SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
                              layout::width, layout::height, SDL_WINDOW_RESIZABLE);
@@ -52,7 +52,7 @@ Window::Window(const Demo& demo, std::unique_ptr<Simulation> simulation, const O
   panel_ = std::make_unique<Panel>(demo_, seen);
   view_.trail = !options.calm;
   view_.calm = options.calm;
-  if (!seen) player_.budget = std::numeric_limits<double>::infinity();
+  if (!seen) playback_.budget = std::numeric_limits<double>::infinity();
   if (seen && demo_.knock) sound_ = std::make_unique<Sound>();
 }
 
@@ -70,10 +70,10 @@ bool Window::tick(double real_seconds) {
   drag();
   if (is_game() && seen_) play_game(real_seconds);
   const Uint64 begin = SDL_GetPerformanceCounter();
-  if (!holding_) player_.frame(real_seconds);
+  if (!holding_) playback_.frame(real_seconds);
   const Uint64 moved = SDL_GetPerformanceCounter();
   if (sound_) sound();
-  if (seen_ && demo_.is_over && demo_.is_over(player_)) player_.restart();
+  if (seen_ && demo_.is_over && demo_.is_over(playback_)) playback_.restart();
   if ((SDL_GetWindowFlags(window_) & SDL_WINDOW_MINIMIZED) != 0) return !closed_;
   const Uint64 drawing = SDL_GetPerformanceCounter();
   draw();
@@ -86,7 +86,7 @@ bool Window::tick(double real_seconds) {
 }
 
 void Window::sound() {
-  const Knock knock = demo_.knock(player_);
+  const Knock knock = demo_.knock(playback_);
   if (knock.count > knocks_ && !view_.muted) sound_->knock(knock.speed);
   knocks_ = knock.count;
 }
@@ -97,15 +97,15 @@ void Window::draw() {
   SDL_RenderClear(renderer_);
   SDL_SetRenderDrawBlendMode(renderer_, SDL_BLENDMODE_BLEND);
   backend_->begin_frame(layout::width, layout::height);
-  demo_.picture(player_, view_, canvas_);
+  demo_.picture(playback_, view_, canvas_);
   if (!demo_.bare) {
-    draw_energy_column(canvas_, layout::energy, player_.trace().back());
+    draw_energy_column(canvas_, layout::energy, playback_.trace().back());
     for (std::size_t i = 0; i < demo_.plots.size() && i < 2; ++i) {
-      plots_[i].draw(canvas_, layout::plots[i], demo_.plots[i], player_);
+      plots_[i].draw(canvas_, layout::plots[i], demo_.plots[i], playback_);
     }
     if (view_.chart) draw_chart();
     if (view_.help) draw_help();
-    panel_->draw(player_, view_);
+    panel_->draw(playback_, view_);
   }
   backend_->end_frame();
   if (keep_pixels || !screenshot_.empty()) read_pixels();
@@ -123,7 +123,7 @@ void Window::draw() {
 
 /// The chart computes a little in every frame. Unseen, all at once: then every picture is whole.
 void Window::draw_chart() {
-  const Simulation& simulation = player_.simulation();
+  const Simulation& simulation = playback_.simulation();
   chart_.follow(simulation, seen_ ? 15 : 0);
   chart_.work(seen_ ? chart_budget : 1e9);
   draw_error_chart(canvas_, layout::chart, chart_, simulation.method(), simulation.dt());

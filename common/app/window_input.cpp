@@ -11,7 +11,7 @@ void Window::handle(const SDL_Event& event) {
   if (event.type == SDL_MOUSEMOTION) controls_.mouse_moved = true;
   if (event.type == SDL_MOUSEBUTTONDOWN && event.button.button == SDL_BUTTON_LEFT) {
     const Point at{static_cast<float>(event.button.x), static_cast<float>(event.button.y)};
-    holding_ = !choose_from_chart(at) && demo_.is_on_ball && demo_.is_on_ball(player_, view_, at);
+    holding_ = !choose_from_chart(at) && demo_.is_on_ball && demo_.is_on_ball(playback_, view_, at);
     mouse_.clear();
   }
   if (event.type == SDL_MOUSEBUTTONUP) holding_ = false;
@@ -25,7 +25,7 @@ bool Window::choose_from_chart(Point at) {
       at.x >= area.x && at.x <= area.right() && at.y >= area.y && at.y <= area.bottom();
   if (!view_.chart || demo_.bare || !inside) return false;
   if (const std::optional<ChartChoice> choice = error_chart_choice(area, chart_, at)) {
-    player_.change([&choice](Simulation& simulation) {
+    playback_.change([&choice](Simulation& simulation) {
       simulation.use_method(choice->method);
       if (choice->dt > 0) simulation.use_dt(choice->dt);
     });
@@ -42,24 +42,24 @@ void Window::key(SDL_Keycode key) {
       break;
     case SDLK_p:
     case SDLK_SPACE:
-      player_.paused = !player_.paused;
+      playback_.paused = !playback_.paused;
       break;
     case SDLK_PERIOD:
     case SDLK_RIGHT:
-      player_.step_forward();
+      playback_.step_forward();
       break;
     case SDLK_COMMA:
     case SDLK_LEFT:
-      player_.step_back();
+      playback_.step_back();
       break;
     case SDLK_r:
-      player_.restart();
+      playback_.restart();
       break;
     case SDLK_o:
-      player_.rate = player_.rate < 1 ? 1 : 0.1;
+      playback_.rate = playback_.rate < 1 ? 1 : 0.1;
       break;
     case SDLK_l:
-      player_.contact_lens = !player_.contact_lens;
+      playback_.contact_lens = !playback_.contact_lens;
       break;
     case SDLK_t:
       view_.from_above = demo_.in_space && !view_.from_above;
@@ -101,7 +101,7 @@ void Window::drag() {
   const auto span = static_cast<float>(last.t - first.t);
   Point velocity{0, 0};
   if (span > 0) velocity = {(last.at.x - first.at.x) / span, (last.at.y - first.at.y) / span};
-  demo_.drag(player_, view_, last.at, velocity);
+  demo_.drag(playback_, view_, last.at, velocity);
 }
 
 /// What the keys and the mouse are doing now goes to the game.
@@ -120,7 +120,7 @@ void Window::play_game(double real_seconds) {
   controls_.w = keys[SDL_SCANCODE_W] != 0;
   controls_.s = keys[SDL_SCANCODE_S] != 0;
   controls_.seconds = real_seconds;
-  demo_.control(player_, view_, controls_);
+  demo_.control(playback_, view_, controls_);
   controls_.mouse_moved = controls_.less = controls_.more = false;
 }
 

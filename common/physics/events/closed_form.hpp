@@ -116,7 +116,7 @@ class BouncePhases {
   }
   /// What tells that a touch does not yet give way to `next`: the overlap, or, for a contact that
   /// only pushes, its force.
-  Lasting touch_lasts(Phase next, double t, const State<double>& state) const {
+  EventValue event_value(Phase next, double t, const State<double>& state) const {
     const double overlap = radius_ - state.position, v = state.velocity;
     if (next == Phase::flight) return {overlap, -v};
     const double k = contact_.stiffness, c = contact_.damping;

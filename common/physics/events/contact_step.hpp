@@ -20,7 +20,7 @@ inline double shortest_step(double t) { return 4 * std::numeric_limits<double>::
 template <class Contacts, class Vector>
 class ContactStep {
  public:
-  using Watch = typename Contacts::Watch;
+  using Event = typename Contacts::Event;
 
   /// Where the step begins.
   struct Start {
@@ -30,7 +30,7 @@ class ContactStep {
   };
   struct Taken {
     double length;              // s
-    std::optional<Watch> what;  // the event at its end, if there is one
+    std::optional<Event> what;  // the event at its end, if there is one
     double next;                // s: what the error control proposes for the next step
   };
 
@@ -40,18 +40,19 @@ class ContactStep {
   Taken take(const Start& start, double h) {
     method_.start_at(start.contacts, 0, start.state);
     watched_.clear();
-    for (const Watch& what : start.contacts.watches(start.state, h)) {
-      Lasting before = start.contacts.lasts(what, 0, start.state, method_.acceleration_at_start());
+    for (const Event& what : start.contacts.events(start.state, h)) {
+      EventValue before =
+          start.contacts.event_value(what, 0, start.state, method_.acceleration_at_start());
       const double rounding = start.contacts.rounding(what, start.state);
       if (before.value <= -rounding && before.slope < 0) {  // together with the event before
         after_ = start.state;
         return {0, what, h};
       }
       before.value = std::max(before.value, 0.0);  // an event's rounding
-      watched_.push_back({what, before, Look::lasts});
+      watched_.push_back({what, before, RootInStep::none});
     }
     h = accurate_step(start, h);
-    const Watched* event = cut_at_first_event(start, h);
+    const WatchedEvent* event = cut_at_first_event(start, h);
     return {h, event ? std::optional(event->what) : std::nullopt, step_after_};
   }
 
@@ -70,10 +71,10 @@ class ContactStep {
 
  private:
   /// What is watched, and its value at the piece's start.
-  struct Watched {
-    Watch what;
-    Lasting before;
-    Look look;
+  struct WatchedEvent {
+    Event what;
+    EventValue before;
+    RootInStep root;
   };
 
   static constexpr bool law_jumps = requires { Contacts::jumps_without_event; };
@@ -101,18 +102,19 @@ class ContactStep {
 
   /// Shortens the step `h` until at most one thing happens in it, at its very end: the one that is
   /// returned.
-  const Watched* cut_at_first_event(const Start& start, double& h) {
-    const Watched* event = nullptr;
+  const WatchedEvent* cut_at_first_event(const Start& start, double& h) {
+    const WatchedEvent* event = nullptr;
     while (true) {
       const Vector acceleration = acceleration_after(start, h);
-      Watched* ends = nullptr;
+      WatchedEvent* ends = nullptr;
       bool unclear = !start.contacts.resolves(start.state, after_, h);
-      for (Watched& watched : watched_) {
+      for (WatchedEvent& watched : watched_) {
         if (&watched == event) continue;
-        const Lasting now = start.contacts.lasts(watched.what, h, after_, acceleration);
-        watched.look = look(watched.before, now, h, start.contacts.rounding(watched.what, after_));
-        unclear = unclear || watched.look == Look::unclear;
-        if (watched.look == Look::ends && !ends) ends = &watched;
+        const EventValue now = start.contacts.event_value(watched.what, h, after_, acceleration);
+        watched.root =
+            root_in_step(watched.before, now, h, start.contacts.rounding(watched.what, after_));
+        unclear = unclear || watched.root == RootInStep::unclear;
+        if (watched.root == RootInStep::one && !ends) ends = &watched;
       }
       if (unclear && h / 2 > shortest_step(start.t)) {
         step_after_ = std::min(step_after_, h);
@@ -135,14 +137,15 @@ class ContactStep {
   }
 
   /// Newton's method on the length of the step: it ends where `watched` does. Returns the length.
-  double cut(const Start& start, const Watched& watched, double h) {
-    const Lasting end = start.contacts.lasts(watched.what, h, after_, acceleration_after(start, h));
+  double cut(const Start& start, const WatchedEvent& watched, double h) {
+    const EventValue end =
+        start.contacts.event_value(watched.what, h, after_, acceleration_after(start, h));
     double low = 0, high = h;
     double length = Cubic(watched.before, end, h).zero();
     for (int i = 0; i < 60; ++i) {
       after_ = method_.step(start.contacts, 0, length);
       const Vector acceleration = acceleration_after(start, length);
-      const Lasting now = start.contacts.lasts(watched.what, length, after_, acceleration);
+      const EventValue now = start.contacts.event_value(watched.what, length, after_, acceleration);
       (now.value > 0 ? low : high) = length;
       double next = (low + high) / 2;
       if (now.slope < 0) {
@@ -164,7 +167,7 @@ class ContactStep {
   double tolerance_;
   State<Vector> after_{};
   double step_after_ = 0;
-  std::vector<Watched> watched_;
+  std::vector<WatchedEvent> watched_;
   Dop853<Vector> method_;
 };
 

@@ -14,8 +14,9 @@ namespace bounce {
 /// The walk does not depend on who looks: a state in the middle of a piece is a shorter step from
 /// the piece's start, and changes nothing.
 ///
-/// `Contacts` tells what touches, and how: see the concept of that name in concepts.hpp.
+/// `Contacts` tells what touches, and how: see ContactsFor in concepts.hpp.
 template <class Contacts, class Vector>
+requires ContactsFor<Contacts, Vector>
 class Reference {
  public:
   /// The first step that it tries is `first_step` [s], or 0: what suits the fastest contact.
@@ -79,12 +80,12 @@ class Reference {
   }
 
  private:
-  using Watch = typename Contacts::Watch;
+  using Event = typename Contacts::Event;
 
   struct Piece {
     double end;
     bool is_event;
-    std::optional<Watch> what;  // for an event that ends no flight
+    std::optional<Event> what;  // for an event that ends no flight
     double step_after;          // s
   };
 

@@ -43,8 +43,8 @@ Framing framing_of(const BallsRun& balls) {
   return {{balls.scene().tray[0] / 2, 0.35 * width, balls.scene().tray[1] / 2}, 1.65 * width, 0.45};
 }
 
-Camera camera_for(const Player& player, const View& view) {
-  const Framing framing = framing_of(balls_of(player));
+Camera camera_for(const Playback& playback, const View& view) {
+  const Framing framing = framing_of(balls_of(playback));
   const double distance = framing.size / 2 / std::tan(opening * std::numbers::pi / 360);
   if (view.from_above) {
     const Vector3d eye = framing.centre + Vector3d(0, 20 * distance, 0);

@@ -11,8 +11,8 @@ namespace bounce {
 
 // Where the camera of stage 5 stands, and how its pictures read the rows of the trace.
 
-inline const BallsRun& balls_of(const Player& player) {
-  return run_as<BallsRun>(player.simulation());
+inline const BallsRun& balls_of(const Playback& playback) {
+  return run_as<BallsRun>(playback.simulation());
 }
 
 /// Of one ball in the rows of one time [m], [m/s].
@@ -32,6 +32,6 @@ struct Framing {
 
 Framing framing_of(const BallsRun& balls);
 
-Camera camera_for(const Player& player, const View& view);
+Camera camera_for(const Playback& playback, const View& view);
 
 }  // namespace bounce

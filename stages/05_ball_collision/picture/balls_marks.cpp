@@ -19,11 +19,13 @@ constexpr double trail_length = 1.2;  // s
 
 }  // namespace
 
-void draw_trails(Canvas& canvas, const Camera& camera, const Player& player, std::size_t balls) {
+void draw_trails(Canvas& canvas, const Camera& camera, const Playback& playback,
+                 std::size_t balls) {
   for (std::size_t ball = 0; ball < balls; ++ball) {
     std::vector<Vector3d> path;
-    for (const TracePoint& point : player.trace()) {
-      if (point.t < player.shown_time() - trail_length || point.t > player.shown_time()) continue;
+    for (const TracePoint& point : playback.trace()) {
+      if (point.t < playback.shown_time() - trail_length || point.t > playback.shown_time())
+        continue;
       if (point.values.size() == 7 * balls) path.push_back(position(point.values, ball));
     }
     for (std::size_t i = 0; i + 1 < path.size(); i += 24) {

@@ -8,7 +8,7 @@ namespace bounce {
 
 // What is drawn around a few balls: where they were and will be, and what acts on them.
 
-void draw_trails(Canvas& canvas, const Camera& camera, const Player& player, std::size_t balls);
+void draw_trails(Canvas& canvas, const Camera& camera, const Playback& playback, std::size_t balls);
 
 /// Where the balls will go; with `earlier`, where they would have gone with the setting before.
 void draw_futures(Canvas& canvas, const Camera& camera, const std::vector<TracePoint>& future,
@@ -23,7 +23,7 @@ void draw_arrows(Canvas& canvas, const Camera& camera, const BallCollision& scen
                  const std::vector<double>& rows, std::size_t balls);
 
 /// In rows: the speed under each ball. In the tower: how high the small ball came.
-void draw_numbers(Canvas& canvas, const Camera& camera, const Player& player,
+void draw_numbers(Canvas& canvas, const Camera& camera, const Playback& playback,
                   const std::vector<double>& rows, std::size_t balls);
 
 }  // namespace bounce

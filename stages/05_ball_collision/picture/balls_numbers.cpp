@@ -36,8 +36,8 @@ void draw_speeds(Canvas& canvas, const Camera& camera, const BallsRun& simulatio
   }
 }
 
-void draw_tower_heights(Canvas& canvas, const Camera& camera, const Player& player) {
-  const BallsRun& simulation = balls_of(player);
+void draw_tower_heights(Canvas& canvas, const Camera& camera, const Playback& playback) {
+  const BallsRun& simulation = balls_of(playback);
   // Heights of the small ball's centre above where it is when both lie on the floor, in falls.
   const double lying = 2 * simulation.scene().radius[0] + simulation.scene().radius[1];
   constexpr double fall = 0.8;
@@ -51,8 +51,8 @@ void draw_tower_heights(Canvas& canvas, const Camera& camera, const Player& play
   mark(lying + 6.95 * fall, "6.95 x: two collisions, one after the other", palette::exact);
   double top = 0;
   bool thrown = false, over = false;
-  for (const TracePoint& point : player.trace()) {
-    if (point.values.size() < 14 || point.t > player.shown_time()) continue;
+  for (const TracePoint& point : playback.trace()) {
+    if (point.values.size() < 14 || point.t > playback.shown_time()) continue;
     const double up = velocity(point.values, 1).y();
     thrown = thrown || up > 1;
     over = over || (thrown && up < -0.01);
@@ -71,15 +71,15 @@ void draw_tower_heights(Canvas& canvas, const Camera& camera, const Player& play
 
 }  // namespace
 
-void draw_numbers(Canvas& canvas, const Camera& camera, const Player& player,
+void draw_numbers(Canvas& canvas, const Camera& camera, const Playback& playback,
                   const std::vector<double>& rows, std::size_t balls) {
-  const BallsRun& simulation = balls_of(player);
+  const BallsRun& simulation = balls_of(playback);
   if (simulation.world().own_balls) return;
   const BallScene scene = simulation.world().choice.scene;
   if (scene == BallScene::cradle || balls == 2) {
     draw_speeds(canvas, camera, simulation, rows, balls);
   }
-  if (scene == BallScene::tower) draw_tower_heights(canvas, camera, player);
+  if (scene == BallScene::tower) draw_tower_heights(canvas, camera, playback);
 }
 
 }  // namespace bounce

@@ -52,10 +52,10 @@ void draw_tray(Canvas& canvas, const Camera& camera, const BallCollision& scene,
   draw_path(canvas, camera, rim, palette::exact.faded(0.6), 1);
 }
 
-void draw_balls(Canvas& canvas, const Camera& camera, const Player& player, const View& view) {
-  const BallsRun& simulation = balls_of(player);
+void draw_balls(Canvas& canvas, const Camera& camera, const Playback& playback, const View& view) {
+  const BallsRun& simulation = balls_of(playback);
   const BallCollision& scene = simulation.scene();
-  const std::vector<double> rows = player.shown_values();
+  const std::vector<double> rows = playback.shown_values();
   const std::size_t count = simulation.balls();
   const Framing framing = framing_of(simulation);
 
@@ -76,7 +76,7 @@ void draw_balls(Canvas& canvas, const Camera& camera, const Player& player, cons
   if (count <= very_few) {
     draw_futures(canvas, camera, view.earlier, count, true);
     draw_futures(canvas, camera, view.future, count, false);
-    if (view.trail) draw_trails(canvas, camera, player, count);
+    if (view.trail) draw_trails(canvas, camera, playback, count);
   }
   // From near to far to leave out what is hidden, and then drawn from far to near.
   struct Seen {
@@ -103,26 +103,26 @@ void draw_balls(Canvas& canvas, const Camera& camera, const Player& player, cons
     canvas.ball(ball->centre, ball->radius, colour_of(ball->speed, fast));
   }
   if (view.ghost) {
-    draw_ghosts(canvas, camera, scene, simulation.exact_values(player.shown_time()));
+    draw_ghosts(canvas, camera, scene, simulation.exact_values(playback.shown_time()));
   }
   if (count <= very_few) {
     if (view.forces) draw_arrows(canvas, camera, scene, rows, count);
-    draw_numbers(canvas, camera, player, rows, count);
+    draw_numbers(canvas, camera, playback, rows, count);
   }
 }
 
 /// Which ball is under the mouse: the nearest of those.
-std::optional<std::size_t> ball_under(const Player& player, const View& view, Point at) {
-  const Camera camera = camera_for(player, view);
-  const std::vector<double> rows = player.shown_values();
+std::optional<std::size_t> ball_under(const Playback& playback, const View& view, Point at) {
+  const Camera camera = camera_for(playback, view);
+  const std::vector<double> rows = playback.shown_values();
   std::optional<std::size_t> found;
   double nearest = 1e300;
-  for (std::size_t i = 0; i < balls_of(player).balls(); ++i) {
+  for (std::size_t i = 0; i < balls_of(playback).balls(); ++i) {
     const Vector3d centre = position(rows, i);
     if (!camera.sees(centre)) continue;
     const Point pixel = camera.at(centre);
     const float radius =
-        static_cast<float>(balls_of(player).scene().radius[static_cast<Eigen::Index>(i)]);
+        static_cast<float>(balls_of(playback).scene().radius[static_cast<Eigen::Index>(i)]);
     const float reach = std::max(10.0f, radius * camera.per_metre(centre));
     if (std::hypot(pixel.x - at.x, pixel.y - at.y) > reach || camera.depth(centre) > nearest)
       continue;
@@ -132,14 +132,14 @@ std::optional<std::size_t> ball_under(const Player& player, const View& view, Po
   return found;
 }
 
-void move_ball(Player& player, const View& view, std::size_t ball, Point to, Point speed) {
-  const Camera camera = camera_for(player, view);
-  const std::vector<double> shown = player.shown_values();
+void move_ball(Playback& playback, const View& view, std::size_t ball, Point to, Point speed) {
+  const Camera camera = camera_for(playback, view);
+  const std::vector<double> shown = playback.shown_values();
   const Vector3d like = position(shown, ball);
   const Vector3d place = camera.under(to, like);
   Vector3d v = camera.across(speed, like);
   if (v.norm() > fastest_throw) v *= fastest_throw / v.norm();
-  player.change([&](Simulation& simulation) {
+  playback.change([&](Simulation& simulation) {
     std::vector<double> rows = simulation.values();
     for (std::size_t axis = 0; axis < 3; ++axis) {
       rows[7 * ball + 1 + axis] = place[static_cast<Eigen::Index>(axis)];
@@ -153,28 +153,28 @@ void move_ball(Player& player, const View& view, std::size_t ball, Point to, Poi
 
 void use_balls_picture(Demo& demo) {
   demo.in_space = true;
-  demo.picture = [](const Player& player, const View& view, Canvas& canvas) {
+  demo.picture = [](const Playback& playback, const View& view, Canvas& canvas) {
     canvas.push_clip(layout::scene);
-    const Camera camera = camera_for(player, view);
-    draw_balls(canvas, camera, player, view);
+    const Camera camera = camera_for(playback, view);
+    draw_balls(canvas, camera, playback, view);
     draw_axes(canvas, camera, {46, layout::scene.bottom() - 40});
     canvas.pop_clip();
   };
-  demo.is_over = [](const Player& player) {  // on the table all have left the picture by then
-    const BallsRun& balls = balls_of(player);
+  demo.is_over = [](const Playback& playback) {  // on the table all have left the picture by then
+    const BallsRun& balls = balls_of(playback);
     const bool on_table =
         balls.world().choice.scene <= BallScene::cradle && !balls.world().own_balls;
-    return on_table && balls.scene().gravity == 0 && player.shown_time() > 6;
+    return on_table && balls.scene().gravity == 0 && playback.shown_time() > 6;
   };
   const auto held = std::make_shared<std::size_t>(0);
-  demo.is_on_ball = [held](const Player& player, const View& view, Point at) {
-    if (balls_of(player).balls() > few) return false;
-    const std::optional<std::size_t> ball = ball_under(player, view, at);
+  demo.is_on_ball = [held](const Playback& playback, const View& view, Point at) {
+    if (balls_of(playback).balls() > few) return false;
+    const std::optional<std::size_t> ball = ball_under(playback, view, at);
     if (ball) *held = *ball;
     return ball.has_value();
   };
-  demo.drag = [held](Player& player, const View& view, Point at, Point speed) {
-    move_ball(player, view, *held, at, speed);
+  demo.drag = [held](Playback& playback, const View& view, Point at, Point speed) {
+    move_ball(playback, view, *held, at, speed);
   };
 }
 

@@ -10,9 +10,9 @@
 namespace bounce {
 
 /// Who touches or has let go, as it is saved: five numbers for each two.
-inline std::vector<double> as_numbers(const std::vector<Touching>& held) {
+inline std::vector<double> as_numbers(const std::vector<ContactPair>& held) {
   std::vector<double> numbers;
-  for (const Touching& two : held) {
+  for (const ContactPair& two : held) {
     for (const int number : {two.first, two.second, two.axis, two.sign}) numbers.push_back(number);
     numbers.push_back(two.phase == Phase::touch ? 1 : 2);
   }
@@ -20,9 +20,9 @@ inline std::vector<double> as_numbers(const std::vector<Touching>& held) {
 }
 
 /// The same back again, in order; nothing where the numbers fit no `balls` balls.
-inline std::optional<std::vector<Touching>> pairs_from_numbers(std::span<const double> numbers,
-                                                               Eigen::Index balls) {
-  std::vector<Touching> held;
+inline std::optional<std::vector<ContactPair>> pairs_from_numbers(std::span<const double> numbers,
+                                                                  Eigen::Index balls) {
+  std::vector<ContactPair> held;
   if (numbers.size() % 5 != 0) return std::nullopt;
   for (; !numbers.empty(); numbers = numbers.subspan(5)) {
     const auto is_whole = [&](std::size_t i, double low, double high) {

@@ -69,7 +69,7 @@ class OscillatingFloorExact {
                                   clamped_ && !contact_.relative ? 2 : 1);
   }
   /// What tells that a touch does not yet give way to `next`: the overlap, or the force.
-  Lasting touch_lasts(Phase next, double t, const State<double>& state) const;
+  EventValue event_value(Phase next, double t, const State<double>& state) const;
   /// A bound on that function's second derivative for the next `window` seconds.
   double max_bend(Phase next, double t, const State<double>& state, double window) const;
   /// The fastest that happens in a touch takes about this long [s].
@@ -80,10 +80,10 @@ class OscillatingFloorExact {
   double gap(const FloorMovement& floor, const State<double>& state) const {
     return state.position - (switched_ ? 0 : floor.height) - scene_.radius;
   }
-  Glimpse gap_in_flight(const State<double>& start, double t) const;
-  Glimpse push_in_flight(const State<double>& start, double t) const;
-  Glimpse overlap_in_touch(const State<double>& start, double t) const;
-  Glimpse push_in_touch(const State<double>& start, double t) const;
+  BoundedValue gap_in_flight(const State<double>& start, double t) const;
+  BoundedValue push_in_flight(const State<double>& start, double t) const;
+  BoundedValue overlap_in_touch(const State<double>& start, double t) const;
+  BoundedValue push_in_touch(const State<double>& start, double t) const;
   bool stays(const State<double>& start) const;
 
   PhaseEnd end_of_flight(const State<double>& start) const;
@@ -99,7 +99,8 @@ class OscillatingFloorExact {
 
 // ---- Flight (and let go: the ball overlaps, but nothing acts on it) -----------------------------
 
-inline Glimpse OscillatingFloorExact::gap_in_flight(const State<double>& start, double t) const {
+inline BoundedValue OscillatingFloorExact::gap_in_flight(const State<double>& start,
+                                                         double t) const {
   const State<double> ball = fly(start, scene_.gravity, t);
   const FloorMovement floor = contact_.floor.at(t);
   if (switched_) return {gap(floor, ball), ball.velocity, -scene_.gravity, scene_.gravity, 0};
@@ -109,7 +110,8 @@ inline Glimpse OscillatingFloorExact::gap_in_flight(const State<double>& start, 
 }
 
 // push = k (r - y + h) - c (v - h'), with y'' = -g; without the h' where the damper is absolute.
-inline Glimpse OscillatingFloorExact::push_in_flight(const State<double>& start, double t) const {
+inline BoundedValue OscillatingFloorExact::push_in_flight(const State<double>& start,
+                                                          double t) const {
   const double k = scene_.stiffness, c = scene_.damping, g = scene_.gravity;
   const double c_floor = contact_.relative ? c : 0;
   const State<double> ball = fly(start, g, t);
@@ -143,7 +145,8 @@ inline PhaseEnd OscillatingFloorExact::end_of_flight(const State<double>& start)
 
 // ---- Contact ------------------------------------------------------------------------------------
 
-inline Glimpse OscillatingFloorExact::overlap_in_touch(const State<double>& start, double t) const {
+inline BoundedValue OscillatingFloorExact::overlap_in_touch(const State<double>& start,
+                                                            double t) const {
   const ContactNow now = contact_at(contact_, start, t);
   const FloorMovement still{};
   const FloorMovement& floor = switched_ ? still : now.floor;
@@ -156,7 +159,8 @@ inline Glimpse OscillatingFloorExact::overlap_in_touch(const State<double>& star
           now.window};
 }
 
-inline Glimpse OscillatingFloorExact::push_in_touch(const State<double>& start, double t) const {
+inline BoundedValue OscillatingFloorExact::push_in_touch(const State<double>& start,
+                                                         double t) const {
   const double k = scene_.stiffness, c = scene_.damping, m = scene_.mass;
   const ContactNow now = contact_at(contact_, start, t);
   const double bend = k * (now.floor.acceleration - now.acceleration) -
@@ -169,8 +173,8 @@ inline Glimpse OscillatingFloorExact::push_in_touch(const State<double>& start, 
           now.window};
 }
 
-inline Lasting OscillatingFloorExact::touch_lasts(Phase next, double t,
-                                                  const State<double>& state) const {
+inline EventValue OscillatingFloorExact::event_value(Phase next, double t,
+                                                     const State<double>& state) const {
   const FloorMovement floor = contact_.floor.at(t);
   if (next == Phase::flight) {
     return {-gap(floor, state), (switched_ ? 0 : floor.speed) - state.velocity};

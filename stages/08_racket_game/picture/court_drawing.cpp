@@ -94,11 +94,11 @@ void draw_landing(Canvas& canvas, const Camera& camera, const Court& court) {
   }
 }
 
-void draw_game_trail(Canvas& canvas, const Camera& camera, const Player& player) {
-  const double now = player.shown_time();
+void draw_game_trail(Canvas& canvas, const Camera& camera, const Playback& playback) {
+  const double now = playback.shown_time();
   std::vector<Vector3d> path;
   std::vector<double> ages;
-  for (auto point = player.trace().rbegin(); point != player.trace().rend(); ++point) {
+  for (auto point = playback.trace().rbegin(); point != playback.trace().rend(); ++point) {
     if (now - point->t > trail_lasts) break;
     path.push_back(state_in<Vector3d>(point->values).position);
     ages.push_back((now - point->t) / trail_lasts);

@@ -22,7 +22,7 @@ void draw_disc_shadow(Canvas& canvas, const Camera& camera, const Disc& disc, do
 void draw_landing(Canvas& canvas, const Camera& camera, const Court& court);
 
 /// Where the ball has just been.
-void draw_game_trail(Canvas& canvas, const Camera& camera, const Player& player);
+void draw_game_trail(Canvas& canvas, const Camera& camera, const Playback& playback);
 
 /// A ball in contact is flattened by its real overlap; its volume stays.
 void draw_flattened_ball(Canvas& canvas, const Camera& camera, const Eigen::Vector3d& centre,

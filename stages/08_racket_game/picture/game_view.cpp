@@ -69,10 +69,10 @@ std::optional<Vector3d> GameView::on_racket_plane(Point pixel) const {
   return eye + sight * std::min((home_height_ - eye.y()) / sight.y(), farthest);
 }
 
-void GameView::draw_scene(Canvas& canvas, const Player& player, const View& view) {
-  const Court court = court_of(player.simulation());
-  const Camera camera = camera_for(court, player.shown_time());
-  const Vector3d ball = state_in<Vector3d>(player.shown_values()).position;
+void GameView::draw_scene(Canvas& canvas, const Playback& playback, const View& view) {
+  const Court court = court_of(playback.simulation());
+  const Camera camera = camera_for(court, playback.shown_time());
+  const Vector3d ball = state_in<Vector3d>(playback.shown_values()).position;
   const Disc disc = court.racket.disc;
   const double radius = court.racket.radius;
 
@@ -88,7 +88,7 @@ void GameView::draw_scene(Canvas& canvas, const Player& player, const View& view
   const bool from_front = disc.height(eye) > 0;
   const bool ball_behind = (disc.height(ball) > 0) != from_front;
   const NearestPoint nearest = court.racket.nearest(disc, ball);
-  if (view.trail && ball_behind) draw_game_trail(canvas, camera, player);
+  if (view.trail && ball_behind) draw_game_trail(canvas, camera, playback);
   if (ball_behind) draw_flattened_ball(canvas, camera, ball, radius, nearest);
   const double glow = flash(court, view);
   draw_disc(canvas, camera, disc, from_front, glow);
@@ -101,7 +101,7 @@ void GameView::draw_scene(Canvas& canvas, const Player& player, const View& view
                   palette::spring.faded(glow), 2.5f);
   }
   if (!ball_behind) {
-    if (view.trail) draw_game_trail(canvas, camera, player);
+    if (view.trail) draw_game_trail(canvas, camera, playback);
     draw_flattened_ball(canvas, camera, ball, radius, nearest);
   }
   if (const Point at = camera.at(ball); camera.depth(ball) > 0 && at.y < area_.y - 5) {
@@ -112,36 +112,36 @@ void GameView::draw_scene(Canvas& canvas, const Player& player, const View& view
   }
 }
 
-void GameView::draw(Canvas& canvas, const Player& player, const View& view, bool bare) {
-  const GameRun* game = run_if<GameRun>(player.simulation());
+void GameView::draw(Canvas& canvas, const Playback& playback, const View& view, bool bare) {
+  const GameRun* game = run_if<GameRun>(playback.simulation());
   area_ = bare ? Rect{0, 0, layout::width, layout::height} : layout::scene;
   canvas.push_clip(area_);
-  draw_scene(canvas, player, view);
+  draw_scene(canvas, playback, view);
   if (game) {
     const bool blind = game->settings().player == PlayerKind::blind;
-    if (blind) draw_blind_history(canvas, *game, player, area_);
+    if (blind) draw_blind_history(canvas, *game, playback, area_);
     draw_score_board(canvas, *game, area_, view.help, view.muted);
   }
-  if (is_live && player.paused) {
+  if (is_live && playback.paused) {
     draw_label(canvas, {area_.width / 2, 60}, "paused (P)", palette::ink, Align::centre,
                TextSize::title);
   }
-  if (!player.trouble().empty()) {
-    draw_label(canvas, {area_.x + 20, area_.bottom() - 90}, player.trouble(), palette::ink);
+  if (!playback.trouble().empty()) {
+    draw_label(canvas, {area_.x + 20, area_.bottom() - 90}, playback.trouble(), palette::ink);
   }
   canvas.pop_clip();
 }
 
 void use_game_view(Demo& demo, GameView& view) {
-  demo.picture = [&demo, &view](const Player& player, const View& seen, Canvas& canvas) {
-    view.draw(canvas, player, seen, demo.bare);
+  demo.picture = [&demo, &view](const Playback& playback, const View& seen, Canvas& canvas) {
+    view.draw(canvas, playback, seen, demo.bare);
   };
-  demo.knock = [](const Player& player) {
-    const GameRun* game = run_if<GameRun>(player.simulation());
+  demo.knock = [](const Playback& playback) {
+    const GameRun* game = run_if<GameRun>(playback.simulation());
     return game ? Knock{game->round().touches, game->round().touch_speed} : Knock{};
   };
-  demo.is_over = [](const Player& player) {  // a machine that has lost serves again
-    const GameRun* game = run_if<GameRun>(player.simulation());
+  demo.is_over = [](const Playback& playback) {  // a machine that has lost serves again
+    const GameRun* game = run_if<GameRun>(playback.simulation());
     return game && game->round().score.lost && game->settings().player != PlayerKind::human &&
            game->round().clock - game->round().lost_clock > 2;
   };

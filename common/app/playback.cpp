@@ -1,4 +1,4 @@
-#include "app/player.hpp"
+#include "app/playback.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -20,11 +20,11 @@ constexpr double steps_between_looks = 1000;
 
 }  // namespace
 
-double Player::wall_clock() {
+double Playback::wall_clock() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-Player::Player(std::unique_ptr<Simulation> simulation, Clock clock)
+Playback::Playback(std::unique_ptr<Simulation> simulation, Clock clock)
     : simulation_(std::move(simulation)), clock_(std::move(clock)) {
   simulation_->keep_energy_book(true);
   simulation_->parameters_changed();  // opens the book
@@ -32,7 +32,7 @@ Player::Player(std::unique_ptr<Simulation> simulation, Clock clock)
   remember();
 }
 
-void Player::frame(double real_seconds) {
+void Playback::frame(double real_seconds) {
   current_rate_ = rate;
   if (paused || !trouble_.empty()) return;
   keep_copy();
@@ -45,7 +45,7 @@ void Player::frame(double real_seconds) {
 }
 
 /// Moves on by `wanted` seconds of the clock, or until the deadline. Returns how far it came.
-double Player::advance_pieces(double wanted) {
+double Playback::advance_pieces(double wanted) {
   double left = wanted;
   while (left > 0 && trouble_.empty()) {
     const std::optional<ContactNumbers> contact = simulation_->contact();
@@ -68,13 +68,13 @@ double Player::advance_pieces(double wanted) {
   return wanted;
 }
 
-void Player::note_pace(double wanted, double done) {
+void Playback::note_pace(double wanted, double done) {
   if (!(wanted > 0)) return;
   pace_ += (done / wanted - pace_) * std::min(1.0, wanted / pace_time);
   if (pace_ > 0.99) pace_ = 1;
 }
 
-void Player::move_to(double t) {
+void Playback::move_to(double t) {
   try {
     if (simulation_->method().goes_by_events) {
       simulation_->advance_to(t);
@@ -103,7 +103,7 @@ void Player::move_to(double t) {
 
 /// By whole steps to the first end of one at `t` or after it, or until the deadline. The same steps
 /// as in one go, so that the results are the same, to the bit.
-void Player::advance_steps_to(double t) {
+void Playback::advance_steps_to(double t) {
   const double dt = simulation_->dt();
   const Traits its = simulation_->traits();
   const double each = static_cast<double>(its.balls) * its.pieces_per_step;
@@ -116,7 +116,7 @@ void Player::advance_steps_to(double t) {
   } while (left > 0 && clock_() <= deadline_);
 }
 
-std::vector<double> Player::shown_values() const {
+std::vector<double> Playback::shown_values() const {
   std::vector<double> values = trace_.back().values;
   if (trace_.size() < 2) return values;
   const TracePoint& before = trace_[trace_.size() - 2];
@@ -130,7 +130,7 @@ std::vector<double> Player::shown_values() const {
   return values;
 }
 
-void Player::step_forward() {
+void Playback::step_forward() {
   paused = true;
   if (!trouble_.empty()) return;
   past_.push_back(simulation_->clone());
@@ -138,7 +138,7 @@ void Player::step_forward() {
   move_to(by_events ? simulation_->time() + simulation_->dt() : simulation_->time_of_next_step());
 }
 
-void Player::change(const std::function<void(Simulation&)>& edit, bool start_anew) {
+void Playback::change(const std::function<void(Simulation&)>& edit, bool start_anew) {
   edit(*simulation_);
   if (start_anew) return restart();
   trouble_.clear();

@@ -3,11 +3,11 @@
 #include <chrono>
 #include <cmath>
 
-#include "app/player.hpp"
+#include "app/playback.hpp"
 
 namespace bounce {
 
-bool Player::is_at_rest() const {
+bool Playback::is_at_rest() const {
   const TracePoint& now = trace_.back();
   for (auto point = trace_.rbegin(); point != trace_.rend(); ++point) {
     if (now.t - point->t > 0.5) return true;
@@ -16,7 +16,7 @@ bool Player::is_at_rest() const {
   return false;
 }
 
-std::vector<TracePoint> Player::future(double seconds) const {
+std::vector<TracePoint> Playback::future(double seconds) const {
   const std::unique_ptr<Simulation> ahead = simulation_->clone();
   double later = 0;
   if (is_at_rest()) {

@@ -15,10 +15,10 @@ namespace bounce {
 /// The physics always moves by whole steps of its own dt; only the clock is slowed or stopped. One
 /// frame takes in at most 0.1 s of real time, so that a stall cannot make it explode or jump, and
 /// computes for `budget` at most, so that the picture does not freeze: then time runs slower.
-class Player {
+class Playback {
  public:
   using Clock = std::function<double()>;  // s, from any zero
-  explicit Player(std::unique_ptr<Simulation> simulation, Clock clock = wall_clock);
+  explicit Playback(std::unique_ptr<Simulation> simulation, Clock clock = wall_clock);
   static double wall_clock();
 
   Simulation& simulation() { return *simulation_; }

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/player.hpp"
+#include "app/playback.hpp"
 
 namespace bounce {
 namespace {
@@ -16,13 +16,13 @@ constexpr std::size_t trace_numbers = 4'000'000, past_numbers = 4'000'000;
 }  // namespace
 
 /// A copy of the run as it is now; the oldest ones are dropped.
-void Player::keep_copy() {
+void Playback::keep_copy() {
   past_.push_back(simulation_->clone());
   const std::size_t copies = past_numbers / trace_.back().values.size();
   while (past_.size() > std::clamp<std::size_t>(copies, 10, past_length)) past_.pop_front();
 }
 
-void Player::remember() {
+void Playback::remember() {
   trace_.push_back(trace_point(*simulation_));
   if (trace_.size() > trace_length) trace_.pop_front();
   // Older points keep time and energy for the plots, but no positions.
@@ -33,12 +33,12 @@ void Player::remember() {
   }
 }
 
-void Player::forget_after(double t) {
+void Playback::forget_after(double t) {
   while (!trace_.empty() && trace_.back().t > t) trace_.pop_back();
   while (!past_.empty() && past_.back()->time() >= t) past_.pop_back();
 }
 
-void Player::step_back() {
+void Playback::step_back() {
   paused = true;
   // The last copy before now, and from there forward again: the same steps give the same bits.
   const double target = simulation_->time() - simulation_->dt();
@@ -46,11 +46,11 @@ void Player::step_back() {
   go_back_to(target);
 }
 
-double Player::earliest() const {
+double Playback::earliest() const {
   return past_.empty() ? simulation_->time() : past_.front()->time();
 }
 
-void Player::go_back_to(double t) {
+void Playback::go_back_to(double t) {
   trouble_.clear();
   refused_ = false;
   const double tolerance = 1e-6 * simulation_->dt();
@@ -70,7 +70,7 @@ void Player::go_back_to(double t) {
   }
 }
 
-void Player::restart() {
+void Playback::restart() {
   trouble_.clear();
   refused_ = false;
   trace_.clear();
@@ -82,7 +82,7 @@ void Player::restart() {
 
 /// A step was not allowed (the balls came too close together), and may have been taken by half:
 /// back to the last whole state, and a sentence.
-void Player::refuse(const std::string& why) {
+void Playback::refuse(const std::string& why) {
   if (!past_.empty()) {
     simulation_ = past_.back()->clone();
     forget_after(simulation_->time());
