@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/canvas.hpp"
-#include "app/player.hpp"
+#include "app/playback.hpp"
 #include "run/headless.hpp"
 #include "run/whose_lines.hpp"
 
@@ -81,15 +81,15 @@ struct Demo {
   std::vector<Dial> dials;           // sliders that are no parameters
   std::vector<std::string> sliders;  // two or three parameters to begin with
   std::function<std::unique_ptr<Simulation>()> make;
-  std::function<void(const Player&, const View&, Canvas&)> picture;
+  std::function<void(const Playback&, const View&, Canvas&)> picture;
   std::vector<Plot> plots;  // at most two
   /// Called while the mouse button is down on the ball; empty when it cannot be dragged.
-  std::function<bool(const Player&, const View&, Point)> is_on_ball;
+  std::function<bool(const Playback&, const View&, Point)> is_on_ball;
   /// Puts the ball where the mouse is, with that velocity of the mouse [px/s].
-  std::function<void(Player&, const View&, Point, Point velocity)> drag;
+  std::function<void(Playback&, const View&, Point, Point velocity)> drag;
   bool in_space = false;  // three dimensions: the view from above makes sense
   /// The demo starts anew (in the window only) when this says so.
-  std::function<bool(const Player&)> is_over;
+  std::function<bool(const Playback&)> is_over;
   /// How a slider sets a parameter in a run, where more has to change with it; may be empty.
   std::function<void(Simulation&, const Parameter&, const std::string& text)> set;
   std::vector<StageOption> options;  // on the command line, besides those of all stages
@@ -98,8 +98,8 @@ struct Demo {
   std::function<std::optional<int>(Simulation&, const Options&)> other_work;
   bool bare = false;  // the picture alone: no panel, no plots
   /// For a game: called once a frame, before time moves. Space and the arrows are the game's then.
-  std::function<void(Player&, const View&, const Controls&)> control;
-  std::function<Knock(const Player&)> knock;  // may be empty
+  std::function<void(Playback&, const View&, const Controls&)> control;
+  std::function<Knock(const Playback&)> knock;  // may be empty
 };
 
 /// Reads the command line, and runs headless or in a window. Returns the exit code.

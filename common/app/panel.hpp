@@ -21,24 +21,26 @@ class Panel {
  public:
   Panel(const Demo& demo, bool seen);
 
-  /// Draws the panel and applies what the user did to player and view.
-  void draw(Player& player, View& view);
+  /// Draws the panel and applies what the user did to playback and view.
+  void draw(Playback& playback, View& view);
 
   FrameCost frame_cost;  // for the read-out
 
   /// The command line that starts a run like this one.
-  std::string command(Player& player);
+  std::string command(Playback& playback);
 
  private:
-  void draw_parameters(Player& player, View& view, bool main_ones);
-  void draw_parameter(Player& player, View& view, const Parameter& parameter);
-  void draw_dial(Player& player, View& view, const Dial& dial);
-  void draw_play_row(Player& player);
-  void draw_method(Player& player, View& view);
-  void draw_cost_and_error(Player& player);
+  void draw_parameters(Playback& playback, View& view, bool main_ones);
+  void draw_parameter(Playback& playback, View& view, const Parameter& parameter);
+  void draw_dial(Playback& playback, View& view, const Dial& dial);
+  void draw_play_row(Playback& playback);
+  void draw_method(Playback& playback, View& view);
+  void draw_cost_and_error(Playback& playback);
   void draw_keys();
-  void note_slider(Player& player, View& view);
-  void measure_cost(const Player& player);
+  void note_slider(Playback& playback, View& view);
+  void measure_cost(const Playback& playback);
+
+  static constexpr double future_length = 3;  // s drawn ahead while a slider moves
 
   const Demo& demo_;
   bool seen_;                          // false: no figures that differ from run to run

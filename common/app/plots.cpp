@@ -32,15 +32,15 @@ std::string tick_text(double value) {
 
 }  // namespace
 
-void PlotView::draw(Canvas& canvas, Rect area, const Plot& plot, const Player& player) {
-  const double now = player.shown_time();
+void PlotView::draw(Canvas& canvas, Rect area, const Plot& plot, const Playback& playback) {
+  const double now = playback.shown_time();
   if (now < last_time_) top_ = bottom_ = 0;
   last_time_ = now;
   const double from = std::max(0.0, now - window_length), to = from + window_length;
   const Rect box{area.x + 56, area.y + 26, area.width - 56 - 72, area.height - 26 - 26};
 
   std::vector<const TracePoint*> points;
-  for (const TracePoint& point : player.trace()) {
+  for (const TracePoint& point : playback.trace()) {
     if (point.t >= from - 0.05 && point.t <= now) points.push_back(&point);
   }
   for (const TracePoint* point : points) {

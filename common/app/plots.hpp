@@ -10,7 +10,7 @@ namespace bounce {
 /// never shrinks until the run starts anew, so that the picture does not twitch.
 class PlotView {
  public:
-  void draw(Canvas& canvas, Rect area, const Plot& plot, const Player& player);
+  void draw(Canvas& canvas, Rect area, const Plot& plot, const Playback& playback);
 
  private:
   double top_ = 0;     // largest value the axis shows

@@ -3,7 +3,7 @@
 
 #include "app/canvas.hpp"
 #include "app/demo.hpp"
-#include "app/player.hpp"
+#include "app/playback.hpp"
 #include "physics/forces.hpp"
 #include "physics/state.hpp"
 #include "run/one_ball_run.hpp"
@@ -28,7 +28,7 @@ struct BallOnALine {
 /// ball has been, to the right (while a slider moves) where it will go: height against time, on the
 /// ruler's own scale; so is the path of a floor that moves. With `strobe`, the images stay where
 /// they were taken instead.
-void draw_side_view(Canvas& canvas, const Player& player, const View& view,
+void draw_side_view(Canvas& canvas, const Playback& playback, const View& view,
                     const BallOnALine& ball);
 
 /// Gives a demo this scene as its picture, with a ball that can be dragged and thrown. `look` is
@@ -53,8 +53,8 @@ Demo side_demo(const BallOnALine& look = {}) {
     };
     return ball;
   });
-  demo.is_over = [look](const Player& player) {  // it fell out of the picture
-    return !look.floor && state_in<double>(player.shown_values()).position < look.lowest;
+  demo.is_over = [look](const Playback& playback) {  // it fell out of the picture
+    return !look.floor && state_in<double>(playback.shown_values()).position < look.lowest;
   };
   return demo;
 }

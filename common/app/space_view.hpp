@@ -4,7 +4,7 @@
 
 #include "app/canvas.hpp"
 #include "app/demo.hpp"
-#include "app/player.hpp"
+#include "app/playback.hpp"
 #include "physics/forces.hpp"
 #include "physics/shapes.hpp"
 #include "physics/state.hpp"
@@ -27,7 +27,7 @@ struct BallInSpace {
 
 /// The scene of stages 4 and 7 in perspective, and small in a corner the same scene from straight
 /// above; `View::from_above` exchanges the two.
-void draw_space_view(Canvas& canvas, const Player& player, const View& view,
+void draw_space_view(Canvas& canvas, const Playback& playback, const View& view,
                      const BallInSpace& ball);
 
 /// Gives a demo this scene as its picture, with a ball that can be dragged and thrown. `look` is
@@ -52,10 +52,10 @@ Demo space_demo(const BallInSpace& look = {}) {
     };
     return ball;
   });
-  demo.is_over = [](const Player& player) {  // without a floor it falls for ever
+  demo.is_over = [](const Playback& playback) {  // without a floor it falls for ever
     if constexpr (requires(const Scene& scene) { scene.floor; }) {
-      const bool falls = !run_as<Its>(player.simulation()).scene().floor;
-      return falls && state_in<Eigen::Vector3d>(player.shown_values()).position.y() < -3;
+      const bool falls = !run_as<Its>(playback.simulation()).scene().floor;
+      return falls && state_in<Eigen::Vector3d>(playback.shown_values()).position.y() < -3;
     }
     return false;
   };

@@ -36,7 +36,7 @@ class Window {
   /// One frame: events, `real_seconds` of movement, picture. Returns false when the user closed it.
   bool tick(double real_seconds);
 
-  Player& player() { return player_; }
+  Playback& playback() { return playback_; }
   View& view() { return view_; }
   Pixels pixels() const { return pixels_; }  // of the last frame, where `keep_pixels` was asked for
   bool keep_pixels = false;
@@ -62,7 +62,7 @@ class Window {
   SDL_Renderer* renderer_ = nullptr;
   std::unique_ptr<ImGuiBackend> backend_;
   ImGuiCanvas canvas_;
-  Player player_;
+  Playback playback_;
   View view_;
   std::unique_ptr<Panel> panel_;
   PlotView plots_[2];

@@ -56,6 +56,9 @@ class NeighbourList {
   };
   using Cell = std::array<std::int64_t, 3>;
 
+  /// A column of three cells rarely holds more: so many are copied without asking.
+  static constexpr std::size_t padding = 8;
+
   const Share& of(int share) const { return shares_[static_cast<std::size_t>(share)]; }
 
   Cell cell_of(double x, double y, double z) const;

@@ -98,7 +98,7 @@ Parameter velocity(double& value) {
   return {"velocity", "m/s", "speed at the start, upwards", &value, any, {-10, 10}, true};
 }
 Parameter radius(double& value) {
-  return {"radius", "m",      "the ball touches the floor below this height",
+  return {"radius", "m",      "the ball touches what is nearer to its centre than this",
           &value,   positive, {0.05, 0.3}};
 }
 Parameter stiffness(double& value) {

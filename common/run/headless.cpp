@@ -138,7 +138,7 @@ int run_headless(const StageName& stage, Simulation& simulation, const Options& 
   const long long steps_at_start = simulation.steps();
   const Clock::time_point begin = Clock::now();
   double stepping = 0;
-  std::optional<ProgressBar> bar(std::in_place, simulation, options.duration, options.csv == "-");
+  std::optional<ProgressLine> bar(std::in_place, simulation, options.duration, options.csv == "-");
   const auto advance = [&](double t) {
     const Clock::time_point now = Clock::now();
     while (!interrupted() && !simulation.advance_some(t)) bar->show(simulation);

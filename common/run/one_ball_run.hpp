@@ -3,7 +3,7 @@
 
 #include "physics/components.hpp"
 #include "physics/contact.hpp"
-#include "physics/events/one_ball.hpp"
+#include "physics/events/one_ball_contacts.hpp"
 #include "physics/forces.hpp"
 #include "run/run.hpp"
 
@@ -16,7 +16,7 @@ template <class Scene, class Phases>
 struct OneBallWorld {
   using Vector = decltype(Scene::start.position);  // double or Eigen::Vector3d
   using Ball = State<Vector>;
-  using Contacts = OneBall<Phases, Vector>;
+  using Contacts = OneBallContacts<Phases, Vector>;
   using TruthWalk = EventDriven<Phases, Vector>;
 
   // Does the closed form also tell what located events need?

@@ -49,34 +49,28 @@ std::string progress_line(const Progress& progress, int width) {
       std::clamp((progress.now - progress.start) / (progress.end - progress.start), 0.0, 1.0);
   const auto steps = static_cast<double>(progress.steps);
   const std::string percent = to_text(std::floor(100 * share));
-  std::string text = std::string(3 - percent.size(), ' ') + percent + " %, ";
+  std::string text = percent + " %, ";
   if (share > 0) text += duration_text(progress.wall * (1 - share) / share) + " left, ";
   text += "t = " + to_rounded_text(progress.now) + " of " + to_rounded_text(progress.end) + " s";
   if (steps > 0) {  // `exact` takes none
     text += ", " + to_rounded_text(steps, 2) + " steps, " +
             to_rounded_text(steps / progress.wall, 2) + " steps/s";
   }
-  const int length = width < 100 ? 10 : 30;  // of the bar, without its ends
-  const int full = static_cast<int>(std::floor(share * length));
-  const auto letters = [](int count, char letter) {
-    return std::string(static_cast<std::size_t>(count), letter);
-  };
-  const std::string line = "[" + letters(full, '#') + letters(length - full, '-') + "] " + text;
-  return line.substr(0, static_cast<std::size_t>(std::max(0, width)));
+  return text.substr(0, static_cast<std::size_t>(std::max(0, width)));
 }
 
-ProgressBar::ProgressBar(const Simulation& simulation, double end, bool trace_on_output)
+ProgressLine::ProgressLine(const Simulation& simulation, double end, bool trace_on_output)
     : start_(simulation.time()), end_(end), steps_at_start_(simulation.steps()) {
   const char* kind = std::getenv("TERM");
   const bool dumb = kind != nullptr && std::string_view(kind) == "dumb";
   wanted_ = is_terminal(2) && !dumb && !(trace_on_output && is_terminal(1));
 }
 
-ProgressBar::~ProgressBar() {
+ProgressLine::~ProgressLine() {
   if (drawn_) std::cerr << wipe << std::flush;
 }
 
-void ProgressBar::show(const Simulation& simulation) {
+void ProgressLine::show(const Simulation& simulation) {
   if (!wanted_) return;
   const Clock::time_point now = Clock::now();
   if (now < next_) return;

@@ -13,19 +13,19 @@ struct Progress {
   double wall;             // s on the clock since `start`
 };
 
-/// "[####------]  40 %, 4 s left, t = 4.1 of 10 s, 4.1e+07 steps, 3.1e+08 steps/s", and of that
-/// what fits into `width` letters.
+/// "40 %, 4 s left, t = 4.1 of 10 s, 4.1e+07 steps, 3.1e+08 steps/s", and of that what fits into
+/// `width` letters.
 std::string progress_line(const Progress& progress, int width);
 
-/// The bar on the terminal during a long run. It first appears after half a second, and nothing is
+/// The line on the terminal during a long run. It first appears after half a second, and nothing is
 /// left of it when the run ends, however it ends. Where standard error is no terminal, or where the
-/// trace goes to the same one, there is no bar.
-class ProgressBar {
+/// trace goes to the same one, there is no such line.
+class ProgressLine {
  public:
-  ProgressBar(const Simulation& simulation, double end, bool trace_on_output);
-  ~ProgressBar();
-  ProgressBar(const ProgressBar&) = delete;
-  ProgressBar& operator=(const ProgressBar&) = delete;
+  ProgressLine(const Simulation& simulation, double end, bool trace_on_output);
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
 
   /// To be called as often as one likes: it draws at most ten times a second.
   void show(const Simulation& simulation);

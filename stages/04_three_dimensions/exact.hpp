@@ -62,8 +62,8 @@ class ThreeDimensionsExact {
   Eigen::Vector3d acceleration(Phase phase, double t, const Ball& ball) const {
     return {0, upwards.acceleration(phase, t, along(ball)), 0};
   }
-  Lasting touch_lasts(Phase next, double t, const Ball& ball) const {
-    return upwards.touch_lasts(next, t, along(ball));
+  EventValue event_value(Phase next, double t, const Ball& ball) const {
+    return upwards.event_value(next, t, along(ball));
   }
   std::array<Phase, 1> after_touch() const { return upwards.after_touch(); }
   double time_scale() const { return upwards.time_scale(); }

@@ -1,6 +1,6 @@
 #include "05_ball_collision/picture/balls_picture.hpp"
 #include "05_ball_collision/run/balls_world.hpp"
-#include "05_ball_collision/run/options.hpp"
+#include "05_ball_collision/run/command_line.hpp"
 #include "app/demo.hpp"
 
 using namespace bounce;

@@ -60,8 +60,8 @@ class TiltedPlaneExact {
   Eigen::Vector3d acceleration(Phase phase, double t, const Ball& ball) const {
     return downhill + along_normal.acceleration(phase, t, along(ball)) * plane.normal;
   }
-  Lasting touch_lasts(Phase next, double t, const Ball& ball) const {
-    return along_normal.touch_lasts(next, t, along(ball));
+  EventValue event_value(Phase next, double t, const Ball& ball) const {
+    return along_normal.event_value(next, t, along(ball));
   }
   std::array<Phase, 1> after_touch() const { return along_normal.after_touch(); }
   double time_scale() const { return along_normal.time_scale(); }

@@ -1,6 +1,6 @@
 #include "08_racket_game/picture/game_view.hpp"
 #include "08_racket_game/picture/hands.hpp"
-#include "08_racket_game/run/options.hpp"
+#include "08_racket_game/run/command_line.hpp"
 #include "app/demo.hpp"
 
 using namespace bounce;

@@ -41,7 +41,7 @@ CpuCost frame_cost(const std::string& count, int frames) {
   const Demo demo = balls_demo();
   Window window(demo, falling_balls(count), Options{}, false);
   window.resize(640, 360);
-  window.player().budget = Player::frame_budget;  // as where somebody looks
+  window.playback().budget = Playback::frame_budget;  // as where somebody looks
   double drawing = 0, all = 0;
   for (int i = 0; i < frames; ++i) {
     // The processor's time, not the clock on the wall: others may be using this machine.
@@ -78,21 +78,21 @@ TEST_CASE("10,000 balls: 8 frames a second in the software renderer") {
 TEST_CASE("10,000 balls, steps of 0.1 ms: a frame's physics takes no longer than it may") {
   auto balls = falling_balls("10000");
   balls->use_dt(1e-4);
-  Player player(std::move(balls));
-  player.frame(1.0 / 60);  // the first one makes the lists
+  Playback playback(std::move(balls));
+  playback.frame(1.0 / 60);  // the first one makes the lists
   const std::clock_t begin = std::clock();
   constexpr int frames = 20;
-  for (int i = 0; i < frames; ++i) player.frame(1.0 / 60);
+  for (int i = 0; i < frames; ++i) playback.frame(1.0 / 60);
   const double spent = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / frames;
-  MESSAGE("ms of physics a frame: ", spent * 1e3, ", pace ", player.pace());
-  CHECK(player.simulation().steps() >= frames);  // it does go on
+  MESSAGE("ms of physics a frame: ", spent * 1e3, ", pace ", playback.pace());
+  CHECK(playback.simulation().steps() >= frames);  // it does go on
   // 12 ms, one step more (3 ms), the point of the trace and the copy for scrubbing. A frame needs
   // 167 steps, half a second, to keep up.
   [[maybe_unused]] const double allowed = 0.03;
 #ifdef NDEBUG
   CHECK(spent < allowed);
 #endif
-  CHECK(player.pace() < 1);
+  CHECK(playback.pace() < 1);
 }
 
 TEST_CASE("balls that come too close together stop the window's run, with a sentence") {
@@ -108,45 +108,48 @@ TEST_CASE("balls that come too close together stop the window's run, with a sent
   balls->restart();
   const Demo demo = balls_demo();
   Window window(demo, std::move(balls), Options{}, false);
-  Player& player = window.player();
-  for (int i = 0; i < 12 && player.trouble().empty(); ++i) CHECK(window.tick(1.0 / 60));
-  CAPTURE(player.trouble());
-  CHECK(player.trouble().find("not allowed: spread them out, or take fewer") != std::string::npos);
-  CHECK(player.is_refused());
+  Playback& playback = window.playback();
+  for (int i = 0; i < 12 && playback.trouble().empty(); ++i) CHECK(window.tick(1.0 / 60));
+  CAPTURE(playback.trouble());
+  CHECK(playback.trouble().find("not allowed: spread them out, or take fewer") !=
+        std::string::npos);
+  CHECK(playback.is_refused());
   CHECK(window.tick(1.0 / 60));  // it stays open, and shows where it was before
-  const double stopped = player.simulation().time();
+  const double stopped = playback.simulation().time();
   CHECK(stopped > 0);
   CHECK(stopped < 0.1);
-  CHECK(player.simulation().memory().numbers.size() > 8 * count);  // a whole state: --save takes it
-  CHECK(player.trace().back().t <= stopped);
-  player.step_back();
-  CHECK(player.trouble().empty());
-  CHECK(player.simulation().time() < stopped);
-  player.restart();
-  CHECK(player.trouble().empty());
-  CHECK(player.simulation().time() == 0);
+  CHECK(playback.simulation().memory().numbers.size() >
+        8 * count);  // a whole state: --save takes it
+  CHECK(playback.trace().back().t <= stopped);
+  playback.step_back();
+  CHECK(playback.trouble().empty());
+  CHECK(playback.simulation().time() < stopped);
+  playback.restart();
+  CHECK(playback.trouble().empty());
+  CHECK(playback.simulation().time() == 0);
 }
 
-TEST_CASE("what the player remembers of many balls is bounded, and scrubbing back still works") {
-  Player player(falling_balls("20000"));
+TEST_CASE("what the playback remembers of many balls is bounded, and scrubbing back still works") {
+  Playback playback(falling_balls("20000"));
   const std::size_t row = 7 * 20000;
-  for (int i = 0; i < 12; ++i) player.frame(1e-3);
+  for (int i = 0; i < 12; ++i) playback.frame(1e-3);
   std::size_t numbers = 0;
-  for (const TracePoint& point : player.trace()) numbers += point.values.size();
+  for (const TracePoint& point : playback.trace()) numbers += point.values.size();
   CHECK(numbers <= 101 * row);
-  const double t = player.simulation().time();
-  player.go_back_to(t - 2e-3);
-  CHECK(player.simulation().time() < t);
-  CHECK(player.shown_values().size() == row);
+  const double t = playback.simulation().time();
+  playback.go_back_to(t - 2e-3);
+  CHECK(playback.simulation().time() < t);
+  CHECK(playback.shown_values().size() == row);
 }
 
 TEST_CASE("the trace of many balls drops old positions, and keeps time and energy for the plots") {
-  Player player(falling_balls("5000"));  // 4e6 / 35000: the last 114 points keep their positions
-  for (int i = 0; i < 130; ++i) player.step_forward();
-  CHECK(player.trace().size() == 131);
-  CHECK(player.trace().front().values.empty());
-  CHECK(player.trace().front().energy.gravitational > 0);
-  CHECK(player.trace().back().values.size() == 35000);
-  player.go_back_to(player.earliest());
-  CHECK(player.shown_values().size() == 35000);
+  Playback playback(
+      falling_balls("5000"));  // 4e6 / 35000: the last 114 points keep their positions
+  for (int i = 0; i < 130; ++i) playback.step_forward();
+  CHECK(playback.trace().size() == 131);
+  CHECK(playback.trace().front().values.empty());
+  CHECK(playback.trace().front().energy.gravitational > 0);
+  CHECK(playback.trace().back().values.size() == 35000);
+  playback.go_back_to(playback.earliest());
+  CHECK(playback.shown_values().size() == 35000);
 }

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "08_racket_game/run/options.hpp"
-#include "app/player.hpp"
+#include "08_racket_game/run/command_line.hpp"
+#include "app/playback.hpp"
 #include "run_program.hpp"
 
 using namespace bounce;
@@ -35,16 +35,16 @@ TEST_CASE("the racket game goes on by 0.1 s after a stall of 30 s, as if there h
   steady.play_as(PlayerKind::autopilot);
   steady.use_seed(5);
   steady.restart();
-  Player player(steady.clone());
+  Playback playback(steady.clone());
   long long touches = 0;
   for (int frame = 0; frame < 200; ++frame) {
-    const double before = player.shown_time();
+    const double before = playback.shown_time();
     // Every third frame hangs: whatever the ball is doing then, in flight or in the racket.
-    player.frame(frame % 3 == 0 ? 30 : 1.0 / 60);
-    CHECK(player.shown_time() - before <= 0.1 + 1e-9);
-    CHECK(player.trouble().empty());
+    playback.frame(frame % 3 == 0 ? 30 : 1.0 / 60);
+    CHECK(playback.shown_time() - before <= 0.1 + 1e-9);
+    CHECK(playback.trouble().empty());
     // The same steps as in a run without a window: nothing was jumped over or caught up later.
-    const GameRun& shown = run_as<GameRun>(player.simulation());
+    const GameRun& shown = run_as<GameRun>(playback.simulation());
     steady.advance_to(shown.time());
     REQUIRE(shown.values() == steady.values());
     touches = shown.round().touches;
@@ -58,15 +58,15 @@ TEST_CASE("after a stall the racket is where it could get in 0.1 s, not where th
   GameRun run;
   run.play_as(PlayerKind::human);
   run.restart();
-  Player player(run.clone());
-  for (int frame = 0; frame < 20; ++frame) player.frame(1.0 / 60);
-  GameRun& played = run_as<GameRun>(player.simulation());
+  Playback playback(run.clone());
+  for (int frame = 0; frame < 20; ++frame) playback.frame(1.0 / 60);
+  GameRun& played = run_as<GameRun>(playback.simulation());
   const double before = played.disc().centre.x();
   Input far;  // the mouse moved on while the window hung
   far.x = 1.2;
   played.want(far);
-  player.frame(30);
-  const double moved = run_as<GameRun>(player.simulation()).disc().centre.x() - before;
+  playback.frame(30);
+  const double moved = run_as<GameRun>(playback.simulation()).disc().centre.x() - before;
   CHECK(moved > 0.01);
   CHECK(moved <= sideways.speed * 0.1);
 }

@@ -63,22 +63,22 @@ struct Fixture {
 TEST_CASE_FIXTURE(Fixture, "keys: pause, step, back, slow, lens, restart, help, quit") {
   frames(10);
   press(SDLK_p);
-  CHECK(window.player().paused);
-  const double t = window.player().simulation().time();
+  CHECK(window.playback().paused);
+  const double t = window.playback().simulation().time();
   press(SDLK_PERIOD);
-  CHECK(window.player().simulation().time() == doctest::Approx(t + 1e-3));
+  CHECK(window.playback().simulation().time() == doctest::Approx(t + 1e-3));
   press(SDLK_COMMA);
-  CHECK(window.player().simulation().time() == doctest::Approx(t));
+  CHECK(window.playback().simulation().time() == doctest::Approx(t));
   press(SDLK_SPACE);
-  CHECK(!window.player().paused);
+  CHECK(!window.playback().paused);
   press(SDLK_o);
-  CHECK(window.player().rate == 0.1);
+  CHECK(window.playback().rate == 0.1);
   press(SDLK_l);
-  CHECK(window.player().contact_lens);
+  CHECK(window.playback().contact_lens);
   press(SDLK_F1);
   CHECK(window.view().help);
   press(SDLK_r);
-  CHECK(window.player().simulation().time() < 0.02);
+  CHECK(window.playback().simulation().time() < 0.02);
   SDL_Event quit{};
   quit.type = SDL_KEYDOWN;
   quit.key.keysym.sym = SDLK_ESCAPE;
@@ -96,7 +96,7 @@ TEST_CASE_FIXTURE(Fixture, "a slider sets the parameter, and the future is drawn
   CHECK(!window.view().future.empty());
   CHECK(!window.view().earlier.empty());
   mouse(SDL_MOUSEBUTTONUP, layout::panel.x + 140, y);
-  const auto& run = static_cast<const DampedRun&>(window.player().simulation());
+  const auto& run = static_cast<const DampedRun&>(window.playback().simulation());
   CHECK(run.scene().damping > 100);
   CHECK(run.scene().damping < 200);
   frames(200);
@@ -105,20 +105,20 @@ TEST_CASE_FIXTURE(Fixture, "a slider sets the parameter, and the future is drawn
 
 TEST_CASE_FIXTURE(Fixture, "the ball can be dragged and thrown") {
   frames(2);
-  window.player().paused = true;
+  window.playback().paused = true;
   // The ball starts at 1 m, a fifth from the top of the scene, at 60 % of its width.
   const float x = layout::scene.width * 0.6f;
-  const double start = window.player().simulation().values()[0];
+  const double start = window.playback().simulation().values()[0];
   mouse(SDL_MOUSEMOTION, x, 124);
   mouse(SDL_MOUSEBUTTONDOWN, x, 124);
   for (float y = 130; y < 300; y += 10) mouse(SDL_MOUSEMOTION, x, y);
   for (float y = 300; y > 250; y -= 10) mouse(SDL_MOUSEMOTION, x, y);
-  const auto held = window.player().simulation().values();
+  const auto held = window.playback().simulation().values();
   CHECK(held[0] < start - 0.2);
   CHECK(held[1] > 0.5);   // thrown upwards: 10 px a frame are 1.8 m/s
   CHECK(held[1] <= 8.0);  // and never faster than the limit
   mouse(SDL_MOUSEBUTTONUP, x, 250);
-  CHECK(window.player().simulation().error()->position < 1e-9);  // the comparison starts here
+  CHECK(window.playback().simulation().error()->position < 1e-9);  // the comparison starts here
 }
 
 TEST_CASE_FIXTURE(Fixture, "E shows speed against error, and a click on a dot chooses it") {
@@ -126,9 +126,9 @@ TEST_CASE_FIXTURE(Fixture, "E shows speed against error, and a click on a dot ch
   CHECK(window.view().chart);
   frames(2);
   ErrorChart chart;  // the same as the window's, to know where the dots are
-  chart.follow(window.player().simulation(), 0);
+  chart.follow(window.playback().simulation(), 0);
   chart.work(1e9);
-  const Simulation& now = window.player().simulation();
+  const Simulation& now = window.playback().simulation();
   int dots = 0;
   for (const ErrorChart::Dot& wanted : chart.dots()) {
     if (wanted.method != methods::flight_rk4) continue;  // whose curve lies apart from the others

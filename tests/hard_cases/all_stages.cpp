@@ -2,8 +2,8 @@
 
 #include <sstream>
 
-#include "05_ball_collision/run/options.hpp"
-#include "08_racket_game/run/options.hpp"
+#include "05_ball_collision/run/command_line.hpp"
+#include "08_racket_game/run/command_line.hpp"
 #include "stages/scene_simulations.hpp"
 
 namespace bounce::test {

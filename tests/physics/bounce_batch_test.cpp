@@ -1,4 +1,4 @@
-#include "physics/bounce_batch.hpp"
+#include "speed_vs_error/bounce_batch.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-// The bar of a long run, on a terminal of the test's own (a pseudo-terminal); Ctrl-C; memory.
+// The progress of a long run, on a terminal of the test's own (a pseudo-terminal); Ctrl-C; memory.
 
 #include "run/progress.hpp"
 
@@ -118,7 +118,8 @@ const std::string long_runs[] = {
 
 }  // namespace
 
-TEST_CASE("a long run of every stage shows a bar on the terminal, and Ctrl-C takes it away") {
+TEST_CASE(
+    "a long run of every stage shows its progress on the terminal, and Ctrl-C takes it away") {
   if (!has_terminals()) return;
   std::vector<std::unique_ptr<OnTerminal>> runs;
   for (const std::string& command : long_runs)
@@ -132,11 +133,11 @@ TEST_CASE("a long run of every stage shows a bar on the terminal, and Ctrl-C tak
     INFO(run.seen());
     CHECK(shown);
     CHECK(code == 130);
-    for (const char* part : {"\r\x1b[K[---", " %, ", " left, t = ", " of 100 s, ", " steps"}) {
+    for (const char* part : {"\r\x1b[K0 %, ", " left, t = ", " of 100 s, ", " steps"}) {
       INFO(part);
       CHECK(contains(run.seen(), part));
     }
-    // The bar's last trace is its removal: what follows is the summary line and the last word.
+    // The line's last trace is its removal: what follows is the summary line and the last word.
     const std::string rest = run.seen().substr(run.seen().rfind("\r\x1b[K") + 4);
     const std::string stage = long_runs[i].substr(0, long_runs[i].find(' '));
     CHECK(rest.rfind(stage + ": method=", 0) == 0);
@@ -144,7 +145,7 @@ TEST_CASE("a long run of every stage shows a bar on the terminal, and Ctrl-C tak
   }
 }
 
-TEST_CASE("a short run shows no bar") {
+TEST_CASE("a short run shows no progress") {
   if (!has_terminals()) return;
   OnTerminal run("03_damping --headless --duration 1");
   CHECK(run.finish() == 0);
@@ -158,18 +159,17 @@ TEST_CASE("a long run is quiet where standard error is no terminal") {
       "timeout --preserve-status -s INT 0.8", "03_damping --headless --dt 1e-9 --duration 100");
   CHECK(run.code == 130);
   CHECK(!contains(run.err, "\r"));
-  CHECK(!contains(run.err, "["));
+  CHECK(!contains(run.err, " left, "));
 }
 
-TEST_CASE("the bar says steps, time, rate and what is left, and fits the terminal") {
+TEST_CASE("the progress says steps, time, rate and what is left, and fits the terminal") {
   const Progress progress{0, 4, 10, 40000000, 8};
   CHECK(progress_line(progress, 100) ==
-        "[############------------------]  40 %, 12 s left, t = 4 of 10 s, 4e+07 steps, 5e+06 "
-        "steps/s");
+        "40 %, 12 s left, t = 4 of 10 s, 4e+07 steps, 5e+06 steps/s");
   CHECK(contains(progress_line({0, 1, 61, 100, 10}, 200), "10 min 0 s left"));
   CHECK(contains(progress_line({0, 1, 1001, 100, 10}, 200), "2 h 46 min left"));
   CHECK(contains(progress_line({0, 1e-9, 100, 100, 10}, 200), "more than a year left"));
-  CHECK(contains(progress_line({2, 4, 6, 100, 10}, 200), " 50 %"));  // a run that was loaded at 2 s
+  CHECK(contains(progress_line({2, 4, 6, 100, 10}, 200), "50 %"));  // a run that was loaded at 2 s
   for (int width = 0; width < 120; ++width) {
     for (const double now : {0.0, 1e-12, 4.0, 10.0, 11.0}) {
       CHECK(progress_line({0, now, 10, 123456789, 77}, width).size() <=

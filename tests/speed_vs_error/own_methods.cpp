@@ -9,8 +9,8 @@
 #include "04_three_dimensions/exact.hpp"
 #include "06_oscillating_floor/exact/exact.hpp"
 #include "07_tilted_plane/exact.hpp"
-#include "physics/bounce_batch.hpp"
 #include "run/one_ball_run.hpp"
+#include "speed_vs_error/bounce_batch.hpp"
 #include "speed_vs_error/subjects.hpp"
 
 namespace bounce::report {

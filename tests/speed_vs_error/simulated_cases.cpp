@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "05_ball_collision/run/balls_world.hpp"
-#include "08_racket_game/run/options.hpp"
+#include "08_racket_game/run/command_line.hpp"
 #include "speed_vs_error/subjects.hpp"
 
 namespace bounce::report {

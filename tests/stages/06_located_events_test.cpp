@@ -20,7 +20,7 @@ using namespace bounce;
 namespace {
 
 using Exact = EventDriven<OscillatingFloorExact>;
-using HighOrder = Reference<OneBall<OscillatingFloorExact, double>, double>;
+using HighOrder = Reference<OneBallContacts<OscillatingFloorExact, double>, double>;
 using Located = LocatedEvents<OscillatingFloorExact, double>;
 using FloorRun = OneBallRun<OscillatingFloor, OscillatingFloorExact>;
 
@@ -29,8 +29,8 @@ constexpr auto rk4_step = [](auto& law, double t, State<double>& state, double h
 };
 
 HighOrder reference_of(const OscillatingFloor& scene, double t = 0) {
-  const OneBall<OscillatingFloorExact, double> contacts(OscillatingFloorExact(scene), t,
-                                                        scene.start);
+  const OneBallContacts<OscillatingFloorExact, double> contacts(OscillatingFloorExact(scene), t,
+                                                                scene.start);
   return {contacts, t, scene.start, 1e-12};
 }
 

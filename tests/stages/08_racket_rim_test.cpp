@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "08_racket_game/racket_game.hpp"
-#include "08_racket_game/run/options.hpp"
+#include "08_racket_game/run/command_line.hpp"
 #include "run_program.hpp"
 #include "stages/racket_reference_values.hpp"
 

@@ -6,6 +6,7 @@
 
 #include "physics/contact.hpp"
 #include "physics/events/damped_oscillator.hpp"
+#include "physics/events/event_value.hpp"
 #include "physics/state.hpp"
 
 namespace bounce {
@@ -53,12 +54,6 @@ struct PhaseEnd {
   double after;
   Phase next;
   State<double> arrival = {never, 0};  // filled in by BouncePhases only
-};
-
-/// A function of time that is positive while a touch lasts, with its slope [per second].
-struct Lasting {
-  double value;
-  double slope;
 };
 
 /// Each phase of a ball above a level floor at height 0, in closed form. It serves every stage in
@@ -121,7 +116,7 @@ class BouncePhases {
   }
   /// What tells that a touch does not yet give way to `next`: the overlap, or, for a contact that
   /// only pushes, its force.
-  Lasting touch_lasts(Phase next, double t, const State<double>& state) const {
+  EventValue event_value(Phase next, double t, const State<double>& state) const {
     const double overlap = radius_ - state.position, v = state.velocity;
     if (next == Phase::flight) return {overlap, -v};
     const double k = contact_.stiffness, c = contact_.damping;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "physics/events/closed_form.hpp"
+#include "physics/events/event_value.hpp"
 
 namespace bounce {
 
@@ -11,7 +11,7 @@ namespace bounce {
 /// as far as its ends tell (Hermite interpolation).
 class Cubic {
  public:
-  Cubic(const Lasting& start, const Lasting& end, double h)
+  Cubic(const EventValue& start, const EventValue& end, double h)
       : value_(start.value), slope_(start.slope * h), h_(h) {
     const double rise = end.value - start.value, end_slope = end.slope * h;
     square_ = 3 * rise - 2 * slope_ - end_slope;
@@ -52,24 +52,22 @@ class Cubic {
   double value_, slope_, square_, cube_, h_;
 };
 
-/// Whether a function that is positive at the start of a step stays so.
-enum class Look { lasts, ends, unclear };
-
 /// Judged by values and slopes at both ends of a step that resolves the movement: there the cubic
 /// is off by a small share of what its bend makes of a step. Where it comes closer to zero than
 /// that in between, a shorter step must tell. The values are right to `rounding`: what stays within
 /// that of zero has not ended, and a dip of that size is none.
-inline Look look(const Lasting& before, const Lasting& after, double h, double rounding) {
+inline RootInStep root_in_step(const EventValue& before, const EventValue& after, double h,
+                               double rounding) {
   const Cubic cubic(before, after, h);
   if (const std::optional<double> lowest = cubic.minimum()) {
     const double low = cubic.at(*lowest);
     const bool dips = std::min(before.value, after.value) - low > rounding;
-    if (dips && !(low > cubic.bend() / 64)) return Look::unclear;
+    if (dips && !(low > cubic.bend() / 64)) return RootInStep::unclear;
   }
-  if (after.value >= -rounding) return Look::lasts;
+  if (after.value >= -rounding) return RootInStep::none;
   // From zero up and down again: only a shorter step finds where it comes down.
   const bool rises = before.value <= rounding && before.slope * h > rounding;
-  return rises ? Look::unclear : Look::ends;
+  return rises ? RootInStep::unclear : RootInStep::one;
 }
 
 }  // namespace bounce

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "physics/concepts.hpp"
 #include "physics/events/closed_form.hpp"
 #include "physics/state.hpp"
 
@@ -39,6 +40,7 @@ double too_short(const Phases& phases, double t) {
 /// when each phase begins, and all that is asked afterwards counts from there. They also name a
 /// `shortest_phase()`: a thousand shorter ones in a row are no movement that can be followed.
 template <class Phases, class Vector = double>
+requires PhasesFor<Phases, Vector>
 class EventDriven {
  public:
   EventDriven(const Phases& phases, double t, const State<Vector>& state)

@@ -6,7 +6,7 @@
 namespace bounce {
 
 /// What is known of a smooth function f of time at one moment.
-struct Glimpse {
+struct BoundedValue {
   double value;     // f
   double slope;     // f'
   double bend;      // f''
@@ -15,11 +15,16 @@ struct Glimpse {
   double window = std::numeric_limits<double>::infinity();  // s
 };
 
-/// How long f is certain to stay positive [s], from a glimpse with value >= 0. It cannot fall
+/// -f, as sure as f.
+inline BoundedValue operator-(const BoundedValue& f) {
+  return {-f.value, -f.slope, -f.bend, f.max_bend, f.max_turn, f.window};
+}
+
+/// How long f is certain to stay positive [s], from a moment with value >= 0. It cannot fall
 /// faster than its bounds allow:
 ///   f(s) >= value + slope s - max_bend s^2 / 2,                    positive up to its root;
 ///   f(s) >= value + s (slope + bend s / 2 - max_turn s^2 / 6),     for a start at zero, uphill.
-inline double root_free_time(const Glimpse& f) {
+inline double root_free_time(const BoundedValue& f) {
   double safe = f.window;
   if (f.max_bend > 0) {
     const double root = std::sqrt(f.slope * f.slope + 2 * f.max_bend * f.value);
@@ -49,12 +54,12 @@ struct FirstZero {
 /// steps that are certain to be free of a root, so that none can be skipped, however close two of
 /// them are. Near the zero these steps are those of Newton's method, taken from the safe side: each
 /// doubles the number of right digits. After `max_steps`, and beyond `until`, it says how far it
-/// came. `glimpse(t)` returns a Glimpse.
+/// came. `value_at(t)` returns a BoundedValue.
 template <class Function>
-FirstZero first_zero(const Function& glimpse, double t, double until, int max_steps) {
+FirstZero first_zero(const Function& value_at, double t, double until, int max_steps) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   for (int i = 0; i < max_steps && t <= until; ++i) {
-    Glimpse f = glimpse(t);
+    BoundedValue f = value_at(t);
     if (f.value <= 0 && (f.slope < 0 || (f.slope == 0 && f.bend < 0))) return {t, true};
     f.value = std::max(f.value, 0.0);  // below zero and rising: that is rounding at its start
     double step = root_free_time(f);

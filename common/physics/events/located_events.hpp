@@ -16,12 +16,9 @@ namespace bounce {
 /// ends. Within a piece the law is smooth, so that a stepping method keeps its order across
 /// bounces; without the cuts every method falls to order 1 at a damped touch.
 ///
-/// `Phases` is a type like BouncePhases (closed_form.hpp) which also tells, for each phase, a law
-///   Vector acceleration(Phase, t, const State<Vector>&)
-/// that is smooth across the phase's end, and, for a touch, the functions whose signs tell that it
-/// lasts (`Lasting`), one for each phase that can come next. Times count from the phase's start. A
-/// flight is a parabola, and its end is known by formula, or by the search that `exact` uses.
+/// For `Phases` see concepts.hpp. The end of a flight is known by formula, or by exact's search.
 template <class Phases, class Vector>
+requires LocatedPhasesFor<Phases, Vector>
 class LocatedEvents {
  public:
   LocatedEvents(const Phases& phases, double t, const State<Vector>& state)
@@ -101,10 +98,10 @@ class LocatedEvents {
 
   // What a touch can give way to. It lasts while a function of time is positive, whose second
   // derivative stays below a bound until then.
-  struct Watched {
+  struct WatchedEvent {
     Phase next;
     double max_bend;
-    Look look;
+    RootInStep root;
   };
 
   /// Goes on to `end`, or to the next event before it; then it says true.
@@ -134,10 +131,10 @@ class LocatedEvents {
       const bool tiny = dt < 4 * std::numeric_limits<double>::epsilon() * end;
       bool is_certain = true;
       std::optional<Phase> next;
-      for (Watched& watched : watched_) {
-        watched.look = look_at(watched, t, state, after, dt, tiny);
-        is_certain = is_certain && watched.look != Look::unclear;
-        if (watched.look == Look::ends) next = watched.next;
+      for (WatchedEvent& watched : watched_) {
+        watched.root = root_in_step(watched, t, state, after, dt, tiny);
+        is_certain = is_certain && watched.root != RootInStep::unclear;
+        if (watched.root == RootInStep::one) next = watched.next;
       }
       if (!is_certain && !tiny) {  // a smaller step tells more
         dt /= 2;
@@ -157,28 +154,20 @@ class LocatedEvents {
     return false;
   }
 
-  Look look_at(const Watched& watched, double t, const State<Vector>& state,
-               const State<Vector>& after, double dt, bool tiny) const {
+  RootInStep root_in_step(const WatchedEvent& watched, double t, const State<Vector>& state,
+                          const State<Vector>& after, double dt, bool tiny) const {
     const double since = t - start_;
-    const Lasting before = phases_.touch_lasts(watched.next, since, state);
-    const Lasting now = phases_.touch_lasts(watched.next, since + dt, after);
+    const EventValue before = phases_.event_value(watched.next, since, state);
+    const EventValue now = phases_.event_value(watched.next, since + dt, after);
     // The bound of the touch's start serves most steps. That of the present moment is far below it
     // once the ball has come to rest, and lets it rest in whole steps.
     double max_bend = watched.max_bend;
-    if (certain_to_last(before, now, dt, max_bend)) return Look::lasts;
+    if (stays_positive(before, now, dt, max_bend)) return RootInStep::none;
     max_bend = std::min(max_bend, phases_.max_bend(watched.next, since, state, dt));
-    if (certain_to_last(before, now, dt, max_bend)) return Look::lasts;
+    if (stays_positive(before, now, dt, max_bend)) return RootInStep::none;
     // Where the function falls all the way, it has one zero.
     const bool falls = now.slope < -max_bend * dt;
-    return now.value <= 0 && (falls || tiny) ? Look::ends : Look::unclear;
-  }
-
-  /// With |f''| <= B (`max_bend`), f stays above its parabola value + slope s - B s^2 / 2, which is
-  /// positive between two moments at which it is; and f stays above its chord minus B dt^2 / 8.
-  static bool certain_to_last(const Lasting& before, const Lasting& after, double dt,
-                              double max_bend) {
-    if (before.value + (before.slope - max_bend * dt / 2) * dt > 0) return true;
-    return std::min(before.value, after.value) > max_bend * dt * dt / 8;
+    return now.value <= 0 && (falls || tiny) ? RootInStep::one : RootInStep::unclear;
   }
 
   /// Where several things end the touch within a step of `dt`, the first of them does: `next`.
@@ -187,8 +176,8 @@ class LocatedEvents {
                           Phase& next) {
     const State<Vector> before = state;
     double first = never;
-    for (const Watched& watched : watched_) {
-      if (watched.look != Look::ends) continue;
+    for (const WatchedEvent& watched : watched_) {
+      if (watched.root != RootInStep::one) continue;
       State<Vector> after = before;
       const double length = cut(step, t, after, dt, watched.next);
       if (!(length < first)) continue;
@@ -208,7 +197,7 @@ class LocatedEvents {
     for (int i = 0; i < 60; ++i) {
       after = state;
       step(law_, t, after, length);
-      const Lasting now = phases_.touch_lasts(next, t - start_ + length, after);
+      const EventValue now = phases_.event_value(next, t - start_ + length, after);
       (now.value > 0 ? low : high) = length;
       double better = length - now.value / now.slope;
       if (!(low <= better && better <= high)) better = (low + high) / 2;
@@ -244,7 +233,7 @@ class LocatedEvents {
     end_ = {0, phase_};
     watched_.clear();
     for (const Phase next : phases_.after_touch()) {
-      watched_.push_back({next, phases_.max_bend(next, 0, at_start_, never), Look::lasts});
+      watched_.push_back({next, phases_.max_bend(next, 0, at_start_, never), RootInStep::none});
     }
   }
 
@@ -253,8 +242,8 @@ class LocatedEvents {
   State<Vector> at_start_;
   Phase phase_{};
   PhaseEnd end_{};
-  std::vector<Watched> watched_;  // in a touch
-  int crowded_ = 0;               // events in a row that did not advance time
+  std::vector<WatchedEvent> watched_;  // in a touch
+  int crowded_ = 0;                    // events in a row that did not advance time
   Law law_{&phases_, phase_, 0, 0};
 };
 

@@ -1,13 +1,8 @@
 #pragma once
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
-#include <vector>
 
-#include "physics/events/cubic.hpp"
+#include "physics/events/contact_step.hpp"
 #include "physics/events/event_driven.hpp"
-#include "physics/methods/dop853.hpp"
 #include "physics/state.hpp"
 
 namespace bounce {
@@ -19,19 +14,20 @@ namespace bounce {
 /// The walk does not depend on who looks: a state in the middle of a piece is a shorter step from
 /// the piece's start, and changes nothing.
 ///
-/// `Contacts` tells what touches, and how: see the concept of that name in concepts.hpp.
+/// `Contacts` tells what touches, and how: see ContactsFor in concepts.hpp.
 template <class Contacts, class Vector>
+requires ContactsFor<Contacts, Vector>
 class Reference {
  public:
   /// The first step that it tries is `first_step` [s], or 0: what suits the fastest contact.
   Reference(const Contacts& contacts, double t, const State<Vector>& state, double tolerance,
             double first_step = 0)
       : contacts_(contacts),
-        tolerance_(tolerance),
         t_(t),
         state_(state),
         step_(first_step > 0 ? first_step : contacts.time_scale()),
-        last_event_(t) {
+        last_event_(t),
+        contact_(tolerance) {
     begin_piece();
   }
 
@@ -49,8 +45,7 @@ class Reference {
   State<Vector> at(double t) {
     if (t == t_) return state_;
     if (contacts_.in_flight()) return contacts_.fly(state_, t - t_);
-    method_.start_at(contacts_, 0, state_);
-    return method_.step(contacts_, 0, t - t_);
+    return contact_.at({contacts_, t_, state_}, t - t_);
   }
 
   /// When the next event comes [s]; where none is near, how far it looked.
@@ -66,8 +61,8 @@ class Reference {
 
   double last_event() const { return t_; }  // or the end of the last step [s]
   const Contacts& contacts() const { return contacts_; }
-  double tolerance() const { return tolerance_; }
-  long long force_evaluations() const { return method_.evaluations(); }
+  double tolerance() const { return contact_.tolerance(); }
+  long long force_evaluations() const { return contact_.force_evaluations(); }
   long long pieces() const { return pieces_; }
 
   /// What is saved of a run: the piece's start, and who touches. After loading it goes on from
@@ -85,17 +80,17 @@ class Reference {
   }
 
  private:
-  using Watch = typename Contacts::Watch;
+  using Event = typename Contacts::Event;
 
   struct Piece {
     double end;
     bool is_event;
-    std::optional<Watch> what;  // for an event that ends no flight
+    std::optional<Event> what;  // for an event that ends no flight
     double step_after;          // s
   };
 
   double next_end() {
-    if (!next_) next_ = contacts_.in_flight() ? flight() : contact();
+    if (!next_) next_ = contacts_.in_flight() ? flight() : touch();
     return next_->end;
   }
 
@@ -108,10 +103,10 @@ class Reference {
       state_ = contacts_.fly(state_, flight_time_);
       contacts_.land(t_, state_);
     } else {
-      state_ = after_;
+      state_ = contact_.end();
       if (next_->what) contacts_.pass(*next_->what, t_, state_);
     }
-    const bool advances = t_ - before > shortest_step();
+    const bool advances = t_ - before > shortest_step(t_);
     const bool goes_on = advances && t_ - last_event_ > too_short(contacts_, t_);
     if (goes_on) {
       crowded_ = 0;
@@ -119,7 +114,8 @@ class Reference {
       ++crowded_;
     }
     if (is_event) last_event_ = t_;
-    if (crowded_ > 1000 + 10 * static_cast<long long>(watched_.size())) throw TimeStandsStill(t_);
+    if (crowded_ > 1000 + 10 * static_cast<long long>(contact_.watched()))
+      throw TimeStandsStill(t_);
     begin_piece();
     ++pieces_;
   }
@@ -133,123 +129,12 @@ class Reference {
     flight_time_ = contacts_.flight_time(t_, state_);
     return {t_ + flight_time_, true, std::nullopt, step_};
   }
-
-  // ---- In contact
-
-  /// What is watched, and its value at the piece's start.
-  struct Watched {
-    Watch what;
-    Lasting before;
-    Look look;
-  };
-
-  Piece contact() {
-    method_.start_at(contacts_, 0, state_);
-    watched_.clear();
-    for (const Watch& what : contacts_.watches(state_, step_)) {
-      Lasting before = contacts_.lasts(what, 0, state_, method_.acceleration_at_start());
-      const double rounding = contacts_.rounding(what, state_);
-      if (before.value <= -rounding && before.slope < 0) {  // together with the event before
-        after_ = state_;
-        return {t_, true, what, step_};
-      }
-      before.value = std::max(before.value, 0.0);  // an event's rounding
-      watched_.push_back({what, before, Look::lasts});
-    }
-    double h = accurate_step();
-    const Watched* event = cut_at_first_event(h);
-    return {t_ + h, event != nullptr, event ? std::optional(event->what) : std::nullopt,
-            step_after_};
-  }
-
-  static constexpr bool law_jumps = requires { Contacts::jumps_without_event; };
-
-  double shortest_step() const { return 4 * std::numeric_limits<double>::epsilon() * t_; }
-
-  /// A step whose error is within the tolerance; `after_` is its end. Where a law may jump without
-  /// an event (two balls run through each other, centre through centre), the shortest step has to
-  /// do. Elsewhere nothing can be said of an error that such a step does not make small.
-  double accurate_step() {
-    double h = step_;
-    bool shortened = false;
-    while (true) {
-      after_ = method_.step(contacts_, 0, h);
-      const double error = method_.error(h, tolerance_);
-      step_after_ = error > 0 ? Dop853<Vector>::better_step(h, error) : 6 * h;
-      if (error <= 1) break;
-      if (!(h > shortest_step())) {
-        if (law_jumps && std::isfinite(error)) break;
-        throw TimeStandsStill(t_);
-      }
-      h = std::min(step_after_, 0.9 * h);
-      shortened = true;
-    }
-    if (shortened) step_after_ = std::min(step_after_, h);
-    return h;
-  }
-
-  /// Shortens the step `h` until at most one thing happens in it, at its very end: the one that is
-  /// returned.
-  const Watched* cut_at_first_event(double& h) {
-    const Watched* event = nullptr;
-    while (true) {
-      const Vector acceleration = acceleration_after(h);
-      Watched* ends = nullptr;
-      bool unclear = !contacts_.resolves(state_, after_, h);
-      for (Watched& watched : watched_) {
-        if (&watched == event) continue;
-        const Lasting now = contacts_.lasts(watched.what, h, after_, acceleration);
-        watched.look = look(watched.before, now, h, contacts_.rounding(watched.what, after_));
-        unclear = unclear || watched.look == Look::unclear;
-        if (watched.look == Look::ends && !ends) ends = &watched;
-      }
-      if (unclear && h / 2 > shortest_step()) {
-        step_after_ = std::min(step_after_, h);
-        h /= 2;
-        event = nullptr;
-        after_ = method_.step(contacts_, 0, h);
-        continue;
-      }
-      if (!ends) return event;
-      const double before = h;
-      h = cut(*ends, h);
-      const bool simultaneous = event && before - h <= shortest_step();
-      event = ends;
-      if (simultaneous) return event;
-    }
-  }
-
-  Vector acceleration_after(double h) { return contacts_.acceleration(h, after_); }
-
-  /// Newton's method on the length of the step: it ends where `watched` does. Returns the length.
-  double cut(const Watched& watched, double h) {
-    const Lasting end = contacts_.lasts(watched.what, h, after_, acceleration_after(h));
-    double low = 0, high = h;
-    double length = Cubic(watched.before, end, h).zero();
-    for (int i = 0; i < 60; ++i) {
-      after_ = method_.step(contacts_, 0, length);
-      const Vector acceleration = acceleration_after(length);
-      const Lasting now = contacts_.lasts(watched.what, length, after_, acceleration);
-      (now.value > 0 ? low : high) = length;
-      double next = (low + high) / 2;
-      if (now.slope < 0) {
-        const double newton = length - now.value / now.slope;
-        if (low <= newton && newton <= high) next = newton;
-      }
-      const double rest = next - length;
-      if (std::abs(rest) <= std::max(1e-7 * h, shortest_step())) {
-        // So little that two terms of Taylor's series go the rest of the way.
-        after_.position += (after_.velocity + acceleration * (rest / 2)) * rest;
-        after_.velocity += acceleration * rest;
-        return next;
-      }
-      length = next;
-    }
-    return length;
+  Piece touch() {
+    const auto taken = contact_.take({contacts_, t_, state_}, step_);
+    return {t_ + taken.length, taken.what.has_value(), taken.what, taken.next};
   }
 
   Contacts contacts_;
-  double tolerance_;
   double t_;  // the current piece begins
   State<Vector> state_;
   double step_;  // s: what the error control proposes for the next step
@@ -260,10 +145,7 @@ class Reference {
   // The piece from there, once it is known
   std::optional<Piece> next_;
   double flight_time_ = 0;
-  State<Vector> after_{};  // its end
-  double step_after_ = 0;
-  std::vector<Watched> watched_;
-  Dop853<Vector> method_;
+  ContactStep<Contacts, Vector> contact_;
 };
 
 }  // namespace bounce

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "05_ball_collision/ball_collision.hpp"
+#include "05_ball_collision/reference/saved_pairs.hpp"
 #include "05_ball_collision/reference/touching.hpp"
 #include "physics/events/closed_form.hpp"
 
@@ -26,8 +26,8 @@ class BallContacts {
   static constexpr bool jumps_without_event = true;
 
   using Balls = State<Eigen::Matrix3Xd>;
-  struct Watch {
-    Touching two;
+  struct Event {
+    ContactPair two;
     Phase next;
   };
 
@@ -39,34 +39,34 @@ class BallContacts {
   void land(double t, Balls& balls) { pass({lands_, Phase::touch}, t, balls); }
 
   const Eigen::Matrix3Xd& acceleration(double t, const Balls& balls) const;
-  const std::vector<Watch>& watches(const Balls& balls, double h);
-  Lasting lasts(const Watch& watch, double t, const Balls& balls,
-                const Eigen::Matrix3Xd& acceleration) const;
-  double rounding(const Watch& watch, const Balls& balls) const;
+  const std::vector<Event>& events(const Balls& balls, double h);
+  EventValue event_value(const Event& event, double t, const Balls& balls,
+                         const Eigen::Matrix3Xd& acceleration) const;
+  double rounding(const Event& event, const Balls& balls) const;
   bool resolves(const Balls& before, const Balls& after, double h) const;
-  void pass(const Watch& watch, double t, Balls& balls);
+  void pass(const Event& event, double t, Balls& balls);
   double time_scale() const;
 
   /// Who touches or has let go. What does not fit the balls is refused.
   template <class Self, class Visit>
   static void remembered(Self& self, Visit& visit) {
     if constexpr (Visit::reads) {
-      if (!self.recall_phases(visit.rest())) visit.refuse("who touches");
+      const auto pairs = pairs_from_numbers(visit.rest(), self.scene_.mass.size());
+      if (!pairs) return visit.refuse("who touches");
+      self.held_ = *pairs;
     } else {
-      for (const double number : self.phases()) visit("who touches", number);
+      for (const double number : as_numbers(self.held_)) visit("who touches", number);
     }
   }
 
  private:
-  std::vector<double> phases() const;
-  bool recall_phases(std::span<const double> numbers);
-  SpringDamper law_of(const Touching& two) const {
+  SpringDamper law_of(const ContactPair& two) const {
     return two.is_surface() ? scene_.floor_contact() : scene_.pair_contact();
   }
   static double force(const SpringDamper& law, const Gap& gap) {
     return -law.stiffness * gap.gap - law.damping * gap.speed;  // also where it would pull
   }
-  bool lets_go(const Touching& two) const {
+  bool lets_go(const ContactPair& two) const {
     const SpringDamper law = law_of(two);
     return law.law == ContactLaw::push_only && law.damping > 0;
   }
@@ -74,10 +74,10 @@ class BallContacts {
   void for_each_two(const Balls& balls, double range, const Visit& visit);
 
   BallCollision scene_;
-  std::vector<Touching> held_;  // those that touch or have let go, in order
-  std::vector<Watch> watches_;
-  double range_ = 0;  // m: who is further apart is not watched
-  Touching lands_{};  // who ends the flight
+  std::vector<ContactPair> held_;  // those that touch or have let go, in order
+  std::vector<Event> events_;
+  double range_ = 0;     // m: who is further apart is not watched
+  ContactPair lands_{};  // who ends the flight
   NeighbourGrid grid_;
   mutable Eigen::Matrix3Xd acceleration_;
 };
@@ -91,14 +91,14 @@ void BallContacts::for_each_two(const Balls& balls, double range, const Visit& v
   auto pair = pairs.begin();
   for (int i = 0; i < scene_.mass.size(); ++i) {
     scene_.for_each_surface(balls.position, i, [&](Eigen::Index axis, double sign, double overlap) {
-      if (overlap >= -range) visit(Touching{i, -1, static_cast<int>(axis), sign > 0 ? 1 : -1});
+      if (overlap >= -range) visit(ContactPair{i, -1, static_cast<int>(axis), sign > 0 ? 1 : -1});
     });
-    for (; pair != pairs.end() && pair->first == i; ++pair) visit(Touching{i, pair->second});
+    for (; pair != pairs.end() && pair->first == i; ++pair) visit(ContactPair{i, pair->second});
   }
 }
 
 inline BallContacts::BallContacts(const BallCollision& scene, const Balls& balls) : scene_(scene) {
-  for_each_two(balls, 0, [&](Touching two) {
+  for_each_two(balls, 0, [&](ContactPair two) {
     const Gap gap = gap_of(scene_, two, balls);
     if (!(gap.gap < 0)) return;
     const bool pulls = lets_go(two) && force(law_of(two), gap) <= 0;
@@ -110,7 +110,7 @@ inline BallContacts::BallContacts(const BallCollision& scene, const Balls& balls
 
 inline double BallContacts::flight_time(double /*t*/, const Balls& balls) {
   double first = never;
-  for_each_two(balls, never, [&](const Touching& two) {
+  for_each_two(balls, never, [&](const ContactPair& two) {
     const double time = time_to_touch(scene_, two, balls);
     if (!(time < first)) return;
     first = time;
@@ -123,7 +123,7 @@ inline double BallContacts::flight_time(double /*t*/, const Balls& balls) {
 inline const Eigen::Matrix3Xd& BallContacts::acceleration(double /*t*/, const Balls& balls) const {
   acceleration_.setZero(3, scene_.mass.size());
   acceleration_.row(1).setConstant(-scene_.gravity);
-  for (const Touching& two : held_) {
+  for (const ContactPair& two : held_) {
     if (two.phase != Phase::touch) continue;
     const Gap gap = gap_of(scene_, two, balls);
     const Eigen::Vector3d push = force(law_of(two), gap) * gap.direction;
@@ -138,29 +138,29 @@ inline double top_speed(const State<Eigen::Matrix3Xd>& balls) {
   return balls.velocity.cwiseAbs().maxCoeff();
 }
 
-inline const std::vector<BallContacts::Watch>& BallContacts::watches(const Balls& balls, double h) {
-  watches_.clear();
-  for (const Touching& two : held_) {
+inline const std::vector<BallContacts::Event>& BallContacts::events(const Balls& balls, double h) {
+  events_.clear();
+  for (const ContactPair& two : held_) {
     const bool touch = two.phase == Phase::touch;
-    if (touch && lets_go(two)) watches_.push_back({two, Phase::let_go});
-    if (!touch) watches_.push_back({two, Phase::touch});
-    if (!touch || !lets_go(two)) watches_.push_back({two, Phase::flight});
+    if (touch && lets_go(two)) events_.push_back({two, Phase::let_go});
+    if (!touch) events_.push_back({two, Phase::touch});
+    if (!touch || !lets_go(two)) events_.push_back({two, Phase::flight});
   }
   // Within the range are all that two balls at twice the top speed could close, and some more.
   range_ = 2 * std::sqrt(3.0) * 2 * top_speed(balls) * h + scene_.radius.minCoeff();
-  for_each_two(balls, range_, [&](const Touching& two) {
+  for_each_two(balls, range_, [&](const ContactPair& two) {
     if (!std::binary_search(held_.begin(), held_.end(), two)) {
-      watches_.push_back({two, Phase::touch});
+      events_.push_back({two, Phase::touch});
     }
   });
-  return watches_;
+  return events_;
 }
 
 /// Nobody comes from outside the range; and two that do not touch do not pass each other unseen.
 inline bool BallContacts::resolves(const Balls& before, const Balls& after, double h) const {
   const double top = std::max(top_speed(before), top_speed(after));
   if (!(2 * std::sqrt(3.0) * top * h <= range_)) return false;
-  for (const auto& [two, next] : watches_) {
+  for (const auto& [two, next] : events_) {
     if (two.phase == Phase::touch || two.is_surface()) continue;
     const Gap start = gap_of(scene_, two, before), end = gap_of(scene_, two, after);
     const double path = h * std::max(start.velocity.norm(), end.velocity.norm());
@@ -170,12 +170,12 @@ inline bool BallContacts::resolves(const Balls& before, const Balls& after, doub
   return true;
 }
 
-inline Lasting BallContacts::lasts(const Watch& watch, double /*t*/, const Balls& balls,
-                                   const Eigen::Matrix3Xd& acceleration) const {
-  const Touching& two = watch.two;
+inline EventValue BallContacts::event_value(const Event& event, double /*t*/, const Balls& balls,
+                                            const Eigen::Matrix3Xd& acceleration) const {
+  const ContactPair& two = event.two;
   const Gap gap = gap_of(scene_, two, balls);
   if (two.phase == Phase::flight) return {gap.gap, gap.speed};
-  if (watch.next == Phase::flight) return {-gap.gap, -gap.speed};
+  if (event.next == Phase::flight) return {-gap.gap, -gap.speed};
   // From touch to let go, and back: the sign of the force. Balls that turn about each other get
   // away from each other by that, too: the speed aside squared over the distance.
   Eigen::Vector3d a = acceleration.col(two.first);
@@ -188,29 +188,29 @@ inline Lasting BallContacts::lasts(const Watch& watch, double /*t*/, const Balls
   return {sign * force(law, gap), sign * rate};
 }
 
-/// By how much the value of lasts() may be off.
-inline double BallContacts::rounding(const Watch& watch, const Balls& balls) const {
-  const Touching& two = watch.two;
+/// By how much the value of event_value() may be off.
+inline double BallContacts::rounding(const Event& event, const Balls& balls) const {
+  const ContactPair& two = event.two;
   const double of_gap = rounding_of_gap(scene_, two, balls);
-  if (two.phase == Phase::flight || watch.next == Phase::flight) return of_gap;
+  if (two.phase == Phase::flight || event.next == Phase::flight) return of_gap;
   const SpringDamper law = law_of(two);
   double speeds = balls.velocity.col(two.first).cwiseAbs().maxCoeff();
   if (!two.is_surface()) speeds += balls.velocity.col(two.second).cwiseAbs().maxCoeff();
   return law.stiffness * of_gap + law.damping * 8 * std::numeric_limits<double>::epsilon() * speeds;
 }
 
-inline void BallContacts::pass(const Watch& watch, double /*t*/, Balls& balls) {
-  Touching two = watch.two;
-  const bool touches_or_lifts = two.phase == Phase::flight || watch.next == Phase::flight;
+inline void BallContacts::pass(const Event& event, double /*t*/, Balls& balls) {
+  ContactPair two = event.two;
+  const bool touches_or_lifts = two.phase == Phase::flight || event.next == Phase::flight;
   if (two.is_surface() && touches_or_lifts) {  // then the distance is known exactly
     balls.position(two.axis, two.first) =
         wall_of(scene_, two) + two.sign * scene_.radius[two.first];
   }
   const auto place = std::lower_bound(held_.begin(), held_.end(), two);
-  two.phase = watch.next;
-  if (watch.two.phase == Phase::flight) {
+  two.phase = event.next;
+  if (event.two.phase == Phase::flight) {
     held_.insert(place, two);
-  } else if (watch.next == Phase::flight) {
+  } else if (event.next == Phase::flight) {
     held_.erase(place);
   } else {
     *place = two;
@@ -223,35 +223,6 @@ inline double BallContacts::time_scale() const {
   const double c = std::max(scene_.damping, scene_.floor_damping);
   const double lightest = scene_.mass.minCoeff();
   return 1 / (natural_frequency(k, lightest) + c / lightest);
-}
-
-inline std::vector<double> BallContacts::phases() const {
-  std::vector<double> numbers;
-  for (const Touching& two : held_) {
-    for (const int number : {two.first, two.second, two.axis, two.sign}) numbers.push_back(number);
-    numbers.push_back(two.phase == Phase::touch ? 1 : 2);
-  }
-  return numbers;
-}
-
-inline bool BallContacts::recall_phases(std::span<const double> numbers) {
-  held_.clear();
-  if (numbers.size() % 5 != 0) return false;
-  for (; !numbers.empty(); numbers = numbers.subspan(5)) {
-    const auto is_whole = [&](std::size_t i, double low, double high) {
-      return numbers[i] >= low && numbers[i] <= high && numbers[i] == std::floor(numbers[i]);
-    };
-    const auto last = static_cast<double>(scene_.mass.size() - 1);
-    if (!is_whole(0, 0, last) || !is_whole(1, -1, last) || !is_whole(2, 0, 2) ||
-        !is_whole(3, -1, 1) || !is_whole(4, 1, 2)) {
-      return false;
-    }
-    const auto whole = [&](std::size_t i) { return static_cast<int>(numbers[i]); };
-    held_.push_back(
-        {whole(0), whole(1), whole(2), whole(3), whole(4) == 1 ? Phase::touch : Phase::let_go});
-  }
-  std::sort(held_.begin(), held_.end());
-  return true;
 }
 
 }  // namespace bounce

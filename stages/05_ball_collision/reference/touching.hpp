@@ -12,14 +12,14 @@
 namespace bounce {
 
 /// Two balls that touch or could touch, or a ball and a surface; and what they are to each other.
-struct Touching {
+struct ContactPair {
   int first, second;  // the second is -1 for a surface,
   int axis = 0;       // which pushes along sign * axis
   int sign = 0;
   Phase phase = Phase::flight;
 
   bool is_surface() const { return second < 0; }
-  friend bool operator<(const Touching& a, const Touching& b) {
+  friend bool operator<(const ContactPair& a, const ContactPair& b) {
     return std::tie(a.first, a.second, a.axis, a.sign) <
            std::tie(b.first, b.second, b.axis, b.sign);
   }
@@ -34,11 +34,11 @@ struct Gap {
   Eigen::Vector3d velocity;   // m/s, of the first ball as the second sees it
 };
 
-inline double wall_of(const BallCollision& scene, const Touching& two) {
+inline double wall_of(const BallCollision& scene, const ContactPair& two) {
   return two.sign > 0 ? 0 : scene.tray[two.axis == 0 ? 0 : 1];
 }
 
-inline Gap gap_of(const BallCollision& scene, const Touching& two,
+inline Gap gap_of(const BallCollision& scene, const ContactPair& two,
                   const State<Eigen::Matrix3Xd>& balls) {
   const int i = two.first, j = two.second;
   if (two.is_surface()) {
@@ -57,7 +57,7 @@ inline Gap gap_of(const BallCollision& scene, const Touching& two,
 }
 
 /// By how much that gap may be off [m], because positions are rounded.
-inline double rounding_of_gap(const BallCollision& scene, const Touching& two,
+inline double rounding_of_gap(const BallCollision& scene, const ContactPair& two,
                               const State<Eigen::Matrix3Xd>& balls) {
   const auto size = [&](int i) {
     return balls.position.col(i).cwiseAbs().maxCoeff() + scene.radius[i];
@@ -79,7 +79,7 @@ inline State<Eigen::Matrix3Xd> fly(const State<Eigen::Matrix3Xd>& balls, double 
 /// sees the other on a straight line: |p + u t| = R, a quadratic equation. With p = d e12 it is
 /// u^2 t^2 + 2 d (u e12) t + (d - R)(d + R) = 0, and the first root is written so that nothing is
 /// subtracted. The discriminant is u^2 R^2 - |p x u|^2.
-inline double time_to_touch(const BallCollision& scene, const Touching& two,
+inline double time_to_touch(const BallCollision& scene, const ContactPair& two,
                             const State<Eigen::Matrix3Xd>& balls) {
   const Gap now = gap_of(scene, two, balls);
   const double apart = std::max(0.0, now.gap);

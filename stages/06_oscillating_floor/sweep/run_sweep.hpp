@@ -22,7 +22,7 @@ inline void save_bifurcation(const std::vector<SweepRow>& rows, const Sweep& swe
   Demo picture = demo;
   picture.bare = true;
   const Range across{sweep.values.front(), sweep.values.back()};
-  picture.picture = [&](const Player&, const View&, Canvas& canvas) {
+  picture.picture = [&](const Playback&, const View&, Canvas& canvas) {
     draw_bifurcation(canvas, rows, across, sweep.name, unit);
   };
   Options at_once = options;

@@ -150,25 +150,26 @@ class RacketExact {
     const Ball foot{along(start.position), along(start.velocity)};
     const Eigen::Vector3d pull = along(gravity_);
     const double a = pull.norm();
-    const auto glimpse = [&](double t) {
+    const auto value_at = [&](double t) {
       const Ball now = fly(foot, pull, t);
       const double v = now.velocity.norm();
       const double faster = std::max(v, std::sqrt(a * disc_radius_));
       const double fastest = v + (a > 0 ? faster : 0);
-      return Glimpse{(disc_radius_ - now.position.norm()) * (disc_radius_ + now.position.norm()),
-                     -2 * now.position.dot(now.velocity),
-                     -2 * (v * v + now.position.dot(pull)),
-                     2 * (fastest * fastest + a * disc_radius_),
-                     0,
-                     a > 0 ? faster / a : never};
+      return BoundedValue{
+          (disc_radius_ - now.position.norm()) * (disc_radius_ + now.position.norm()),
+          -2 * now.position.dot(now.velocity),
+          -2 * (v * v + now.position.dot(pull)),
+          2 * (fastest * fastest + a * disc_radius_),
+          0,
+          a > 0 ? faster / a : never};
     };
-    return first_zero(glimpse, 0, end, most_looks);
+    return first_zero(value_at, 0, end, most_looks);
   }
 
   /// For a ball beside the disc: when it touches the rim. The disc is convex, so that the distance
   /// to it is a convex function of where the ball is: in flight it never bends by less than -g.
   FirstZero time_to_touch_rim(const Ball& start, double end) const {
-    const auto glimpse = [&](double t) {
+    const auto value_at = [&](double t) {
       const Ball ball = fly(start, t);
       const Eigen::Vector3d outwards = along(ball.position);
       const double lateral = outwards.norm();
@@ -177,11 +178,11 @@ class RacketExact {
       const double distance = std::hypot(beside, height);
       const double leaving = beside > 0 ? beside * outwards.dot(ball.velocity) / lateral : 0;
       const double growth = leaving + height * normal_.dot(ball.velocity);  // of distance^2 / 2
-      return Glimpse{distance - ball_radius_, distance > 0 ? growth / distance : 0, 0,
-                     gravity_.norm(), 0};
+      return BoundedValue{distance - ball_radius_, distance > 0 ? growth / distance : 0, 0,
+                          gravity_.norm(), 0};
     };
-    if (glimpse(0).value < 0) return {0, true};  // a start in contact with it
-    return first_zero(glimpse, 0, end, most_looks);
+    if (value_at(0).value < 0) return {0, true};  // a start in contact with it
+    return first_zero(value_at, 0, end, most_looks);
   }
 
   Eigen::Vector3d normal_;

@@ -21,7 +21,7 @@ Court court_of(const Simulation& simulation);
 /// The picture of ball and racket. It remembers where the camera is, which follows calmly.
 class GameView {
  public:
-  void draw(Canvas& canvas, const Player& player, const View& view, bool bare);
+  void draw(Canvas& canvas, const Playback& playback, const View& view, bool bare);
 
   /// The point at the height of the racket's home that is seen at `pixel`.
   std::optional<Eigen::Vector3d> on_racket_plane(Point pixel) const;
@@ -30,7 +30,7 @@ class GameView {
 
  private:
   Camera camera_for(const Court& court, double t);
-  void draw_scene(Canvas& canvas, const Player& player, const View& view);
+  void draw_scene(Canvas& canvas, const Playback& playback, const View& view);
 
   Rect area_{0, 0, 1280, 720};
   Eigen::Vector3d focus_{0, 0, 0};  // what the camera looks at, before it is raised

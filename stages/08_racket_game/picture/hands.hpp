@@ -12,8 +12,8 @@ namespace bounce {
 /// whichever was used last.
 class Hands {
  public:
-  void operator()(Player& player, const Controls& controls, const GameView& view) {
-    GameRun& run = run_as<GameRun>(player.simulation());
+  void operator()(Playback& playback, const Controls& controls, const GameView& view) {
+    GameRun& run = run_as<GameRun>(playback.simulation());
     keep_best(run);
     if (controls.less) run.set_assist(run.settings().assist - 10);
     if (controls.more) run.set_assist(run.settings().assist + 10);
@@ -23,7 +23,7 @@ class Hands {
     swung_ = swing;
     const Round& round = run.round();
     if (round.score.lost && pressed && round.clock - round.lost_clock > 0.3) {
-      player.restart();
+      playback.restart();
       return;
     }
 
@@ -69,9 +69,9 @@ class Hands {
 
 /// Gives the demo to a player's hands. Both must live as long as the demo.
 inline void use_hands(Demo& demo, Hands& hands, GameView& view) {
-  demo.control = [&hands, &view](Player& player, const View&, const Controls& controls) {
+  demo.control = [&hands, &view](Playback& playback, const View&, const Controls& controls) {
     view.is_live = true;
-    if (run_if<GameRun>(player.simulation())) hands(player, controls, view);
+    if (run_if<GameRun>(playback.simulation())) hands(playback, controls, view);
   };
 }
 

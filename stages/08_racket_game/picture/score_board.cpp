@@ -12,8 +12,8 @@
 namespace bounce {
 namespace {
 
-const char* name_of(PlayerKind player) {
-  switch (player) {
+const char* name_of(PlayerKind playback) {
+  switch (playback) {
     case PlayerKind::human:
       return "you play";
     case PlayerKind::autopilot:
@@ -93,13 +93,13 @@ void draw_score_board(Canvas& canvas, const GameRun& run, Rect area, bool help, 
   }
 }
 
-void draw_blind_history(Canvas& canvas, const GameRun& run, const Player& player, Rect area) {
+void draw_blind_history(Canvas& canvas, const GameRun& run, const Playback& playback, Rect area) {
   constexpr double seconds = 15;
   const Rect box{area.x + 28, area.y + 110, 380, 190};
   draw_rect(canvas, box, palette::paper.faded(0.9));
   draw_frame(canvas, box, palette::grid_major, 1);
   const double home = run.settings().racket.disc.centre.y();
-  const double now = player.shown_time(), first = std::max(0.0, now - seconds);
+  const double now = playback.shown_time(), first = std::max(0.0, now - seconds);
   const auto at = [&](double t, double height) {
     return Point{box.x + static_cast<float>((t - first) / seconds) * box.width,
                  box.bottom() - 24 - static_cast<float>(height / 1.7) * (box.height - 40)};
@@ -109,7 +109,7 @@ void draw_blind_history(Canvas& canvas, const GameRun& run, const Player& player
   const std::array<Point, 2> level{at(first, top), at(first + seconds, top)};
   draw_dashed(canvas, level, palette::exact, 1);
   std::vector<Point> ball, racket;
-  const auto& trace = player.trace();
+  const auto& trace = playback.trace();
   for (std::size_t i = 0; i < trace.size(); i += 8) {
     if (trace[i].t < first) continue;
     ball.push_back(at(trace[i].t, trace[i].column("y") - home));

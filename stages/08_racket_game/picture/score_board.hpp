@@ -3,7 +3,7 @@
 
 #include "08_racket_game/game/game_run.hpp"
 #include "app/canvas.hpp"
-#include "app/player.hpp"
+#include "app/playback.hpp"
 
 namespace bounce {
 
@@ -11,6 +11,6 @@ namespace bounce {
 void draw_score_board(Canvas& canvas, const GameRun& run, Rect area, bool help, bool muted);
 
 /// What the blind player does, and the ball's heights so far.
-void draw_blind_history(Canvas& canvas, const GameRun& run, const Player& player, Rect area);
+void draw_blind_history(Canvas& canvas, const GameRun& run, const Playback& playback, Rect area);
 
 }  // namespace bounce

@@ -12,8 +12,8 @@
 namespace bounce {
 
 /// The contacts of ball and racket in the form that `Reference` (reference.hpp) asks for, face and
-/// rim. Seen from a racket in uniform motion that does not turn: positions and velocities count
-/// from its centre, and the racket rests.
+/// rim. InRimPlane from a racket in uniform motion that does not turn: positions and velocities
+/// count from its centre, and the racket rests.
 class RacketContacts {
  public:
   using Ball = State<Eigen::Vector3d>;
@@ -21,16 +21,16 @@ class RacketContacts {
   /// What the ball touches: the disc, its rim, or - pressed through the disc and out over its rim -
   /// what Racket::beyond_rim() makes of it.
   enum class Place { face, rim, beyond };
-  enum class Watch { overlap, push, inside, height };
+  enum class Event { overlap, push, inside, height };
 
   RacketContacts(const Racket& scene, const Ball& ball) : RacketContacts(scene) {
-    const Seen seen = see(ball);
-    if (seen.x < 0) {
+    const InRimPlane at = in_rim_plane(ball);
+    if (at.x < 0) {
       place_ = Place::face;
     } else {
-      place_ = scene.through && seen.y < 0 ? Place::beyond : Place::rim;
+      place_ = scene.through && at.y < 0 ? Place::beyond : Place::rim;
     }
-    const auto [overlap, push] = overlap_and_push(seen);
+    const auto [overlap, push] = overlap_and_push(at);
     if (overlap > 0) phase_ = only_pushes() && push <= 0 ? Phase::let_go : Phase::touch;
   }
 
@@ -62,24 +62,24 @@ class RacketContacts {
     const double until =
         g > 0 ? time_to_fall(std::max(0.0, low + away), -start.velocity.dot(gravity_) / g, g)
               : never;
-    const auto glimpse = [&](double t) {
-      const Seen seen = see(fly(start, t));
+    const auto gap_at = [&](double t) {
+      const InRimPlane at = in_rim_plane(fly(start, t));
       const Gap gap =
-          seen.x < 0 ? Gap{std::abs(seen.y), 0, seen.y < 0 ? -1.0 : 1.0} : gap_of(Place::rim, seen);
-      return Glimpse{gap.d - radius_, gap.rate(seen), gap.bend(seen, gravity_), g, 0};
+          at.x < 0 ? Gap{std::abs(at.y), 0, at.y < 0 ? -1.0 : 1.0} : gap_of(Place::rim, at);
+      return BoundedValue{gap.d - radius_, gap.rate(at), gap.bend(at, gravity_), g, 0};
     };
-    const Glimpse first = glimpse(0);
+    const BoundedValue first = gap_at(0);
     // From a touch without speed it can only be pulled off.
     const bool hangs = first.value <= 0 && first.slope == 0 && first.bend > 0;
     const double begin = hangs ? std::sqrt(1e-12 * radius_ / first.bend) : 0;
-    const FirstZero touch = first_zero(glimpse, begin, until, 1000);
+    const FirstZero touch = first_zero(gap_at, begin, until, 1000);
     lands_ = touch.found;
     return touch.found || touch.t <= until ? touch.t : never;
   }
   void land(double /*t*/, Ball& ball) {
     if (!lands_) return;  // the search goes on from here
     side_ = normal_.dot(ball.position) < 0 ? -1 : 1;
-    place_ = see(ball).x < 0 ? Place::face : Place::rim;
+    place_ = in_rim_plane(ball).x < 0 ? Place::face : Place::rim;
     phase_ = Phase::touch;
   }
 
@@ -87,66 +87,67 @@ class RacketContacts {
 
   Eigen::Vector3d acceleration(double /*t*/, const Ball& ball) const {
     if (phase_ != Phase::touch) return gravity_;
-    const Seen seen = see(ball);
-    const Gap gap = gap_of(place_, seen);
-    const double push = stiffness_ * (radius_ - gap.d) - damping_ * gap.rate(seen);
-    return gravity_ + push / mass_ * (gap.dx * seen.out + gap.dy * seen.up);
+    const InRimPlane at = in_rim_plane(ball);
+    const Gap gap = gap_of(place_, at);
+    const double push = stiffness_ * (radius_ - gap.d) - damping_ * gap.rate(at);
+    return gravity_ + push / mass_ * (gap.dx * at.out + gap.dy * at.up);
   }
   double time_scale() const { return 1 / (std::sqrt(stiffness_ / mass_) + damping_ / mass_); }
 
-  std::array<Watch, 4> watches(const Ball&, double) const {
-    return {Watch::overlap, Watch::push, Watch::inside, Watch::height};
+  std::array<Event, 4> events(const Ball&, double) const {
+    return {Event::overlap, Event::push, Event::inside, Event::height};
   }
   /// Positive until it happens; the constant 1 for what cannot happen now.
-  Lasting lasts(Watch watch, double /*t*/, const Ball& ball, const Eigen::Vector3d& a) const {
-    const Seen seen = see(ball);
-    const Gap gap = gap_of(place_, seen);
-    const double rate = gap.rate(seen);
-    switch (watch) {
-      case Watch::overlap:  // a contact that only pushes has let go before
+  EventValue event_value(Event event, double /*t*/, const Ball& ball,
+                         const Eigen::Vector3d& a) const {
+    const InRimPlane at = in_rim_plane(ball);
+    const Gap gap = gap_of(place_, at);
+    const double rate = gap.rate(at);
+    switch (event) {
+      case Event::overlap:  // a contact that only pushes has let go before
         if (phase_ == Phase::touch && only_pushes()) break;
         return {radius_ - gap.d, -rate};
-      case Watch::push: {
+      case Event::push: {
         if (!only_pushes()) break;
         const double sign = phase_ == Phase::touch ? 1 : -1;
         return {sign * (stiffness_ * (radius_ - gap.d) - damping_ * rate),
-                sign * (-stiffness_ * rate - damping_ * gap.bend(seen, a))};
+                sign * (-stiffness_ * rate - damping_ * gap.bend(at, a))};
       }
-      case Watch::inside: {  // by squares, which are smooth at the disc's centre as well
+      case Event::inside: {  // by squares, which are smooth at the disc's centre as well
         const double sign = place_ == Place::face ? -1 : 1;
-        return {sign * seen.x * (seen.lateral + disc_radius_), sign * 2 * seen.lateral * seen.vx};
+        return {sign * at.x * (at.lateral + disc_radius_), sign * 2 * at.lateral * at.vx};
       }
-      case Watch::height:
+      case Event::height:
         if (place_ != Place::beyond) break;
-        return {-seen.y, -seen.vy};
+        return {-at.y, -at.vy};
     }
     return {1, 0};
   }
 
-  double rounding(Watch, const Ball&) const { return 0; }
+  double rounding(Event, const Ball&) const { return 0; }
   /// Without a force any step is accurate, and might jump over the rest of the overlap.
   bool resolves(const Ball& before, const Ball& after, double) const {
     return place_ == Place::face || phase_ == Phase::touch ||
            (after.position - before.position).norm() <= radius_ / 2;
   }
 
-  void pass(Watch watch, double /*t*/, Ball& ball) {
-    switch (watch) {
-      case Watch::overlap:
+  void pass(Event event, double /*t*/, Ball& ball) {
+    switch (event) {
+      case Event::overlap:
         phase_ = Phase::flight;
         return;
-      case Watch::push:
+      case Event::push:
         phase_ = phase_ == Phase::touch ? Phase::let_go : Phase::touch;
         return;
-      case Watch::height:
+      case Event::height:
         place_ = Place::rim;
         return;
-      case Watch::inside:
+      case Event::inside:
         if (place_ == Place::face) {
-          place_ = see(ball).y < 0 ? Place::beyond : Place::rim;
+          place_ = in_rim_plane(ball).y < 0 ? Place::beyond : Place::rim;
         } else {
           // From the rim onto the disc, on the side on which it is.
-          if (place_ == Place::rim && see(ball).y < 0) side_ = -side_;
+          if (place_ == Place::rim && in_rim_plane(ball).y < 0) side_ = -side_;
           place_ = Place::face;
         }
         return;
@@ -167,28 +168,28 @@ class RacketContacts {
 
   bool only_pushes() const { return law_ == ContactLaw::push_only && damping_ > 0; }
 
-  /// The ball, seen in the plane through the disc's axis and the ball's centre: x outwards from the
+  /// The ball in the plane through the disc's axis and the ball's centre: x outwards from the
   /// rim, y up from the disc on the ball's side.
-  struct Seen {
+  struct InRimPlane {
     Eigen::Vector3d out, up;  // unit vectors along x and y
     double lateral;           // m, from the axis
     double x, y;              // m
     double vx, vy;            // m/s
     double turn;  // m/s^2: x'' of a ball that is not accelerated but goes round the axis
   };
-  Seen see(const Ball& ball) const {
-    Seen seen;
-    seen.up = side_ * normal_;
-    seen.y = seen.up.dot(ball.position);
-    const Eigen::Vector3d along = ball.position - seen.y * seen.up;
-    seen.lateral = along.norm();
-    seen.out = seen.lateral > 0 ? Eigen::Vector3d(along / seen.lateral) : Eigen::Vector3d::Zero();
-    seen.x = seen.lateral - disc_radius_;
-    seen.vy = seen.up.dot(ball.velocity);
-    seen.vx = seen.out.dot(ball.velocity);
-    const Eigen::Vector3d round = ball.velocity - seen.vy * seen.up - seen.vx * seen.out;
-    seen.turn = seen.lateral > 0 ? round.squaredNorm() / seen.lateral : 0;
-    return seen;
+  InRimPlane in_rim_plane(const Ball& ball) const {
+    InRimPlane at;
+    at.up = side_ * normal_;
+    at.y = at.up.dot(ball.position);
+    const Eigen::Vector3d along = ball.position - at.y * at.up;
+    at.lateral = along.norm();
+    at.out = at.lateral > 0 ? Eigen::Vector3d(along / at.lateral) : Eigen::Vector3d::Zero();
+    at.x = at.lateral - disc_radius_;
+    at.vy = at.up.dot(ball.velocity);
+    at.vx = at.out.dot(ball.velocity);
+    const Eigen::Vector3d round = ball.velocity - at.vy * at.up - at.vx * at.out;
+    at.turn = at.lateral > 0 ? round.squaredNorm() / at.lateral : 0;
+    return at;
   }
 
   /// The distance d(x, y) with its derivatives. The force is the push times its gradient.
@@ -196,18 +197,18 @@ class RacketContacts {
     double d, dx, dy;
     double dxx = 0, dxy = 0, dyy = 0;
 
-    double rate(const Seen& s) const { return dx * s.vx + dy * s.vy; }
+    double rate(const InRimPlane& s) const { return dx * s.vx + dy * s.vy; }
     /// The second derivative by time, for a ball that is accelerated by `a`.
-    double bend(const Seen& s, const Eigen::Vector3d& a) const {
+    double bend(const InRimPlane& s, const Eigen::Vector3d& a) const {
       return dx * (s.out.dot(a) + s.turn) + dy * s.up.dot(a) + dxx * s.vx * s.vx +
              2 * dxy * s.vx * s.vy + dyy * s.vy * s.vy;
     }
   };
-  static Gap gap_of(Place place, const Seen& seen) {
-    if (place == Place::face) return {seen.y, 0, 1};
-    const double length = std::hypot(seen.x, seen.y);
+  static Gap gap_of(Place place, const InRimPlane& at) {
+    if (place == Place::face) return {at.y, 0, 1};
+    const double length = std::hypot(at.x, at.y);
     if (length == 0) return {0, 0, 1};
-    const double x = seen.x / length, y = seen.y / length, xx = x * x, yy = y * y;
+    const double x = at.x / length, y = at.y / length, xx = x * x, yy = y * y;
     if (place == Place::rim) return {length, x, y, yy / length, -x * y / length, xx / length};
     return {length * (xx - yy),
             x * (1 + 2 * yy),
@@ -216,9 +217,9 @@ class RacketContacts {
             x * y * (4 * xx - 2 * yy - 1) / length,
             -xx * (1 + 2 * xx - 4 * yy) / length};
   }
-  std::array<double, 2> overlap_and_push(const Seen& seen) const {
-    const Gap gap = gap_of(place_, seen);
-    return {radius_ - gap.d, stiffness_ * (radius_ - gap.d) - damping_ * gap.rate(seen)};
+  std::array<double, 2> overlap_and_push(const InRimPlane& at) const {
+    const Gap gap = gap_of(place_, at);
+    return {radius_ - gap.d, stiffness_ * (radius_ - gap.d) - damping_ * gap.rate(at)};
   }
 
   Eigen::Vector3d normal_;

@@ -146,9 +146,9 @@ inline State<double> undamped_state(const SweepBall& ball, double touch, double 
 /// The state of each ball of a sweep at time `t` [s]. The lanes serve the usual ball: one that
 /// starts above the floor, under gravity, with an under-damped contact of the slides' law. Others
 /// are handed to EventDriven.
-class Sweep {
+class BatchSweep {
  public:
-  Sweep(const std::vector<SweepBall>& balls, double t)
+  BatchSweep(const std::vector<SweepBall>& balls, double t)
       : balls_(balls), t_(t), states_(balls.size()) {
     in_lane_.fill(none);
   }
@@ -224,7 +224,7 @@ class Sweep {
 };
 
 inline std::vector<State<double>> exact_states(const std::vector<SweepBall>& balls, double t) {
-  return Sweep(balls, t).run();
+  return BatchSweep(balls, t).run();
 }
 
 }  // namespace bounce

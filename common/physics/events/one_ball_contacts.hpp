@@ -7,11 +7,11 @@ namespace bounce {
 /// The contacts of a scene with one ball, in the form that `Reference` (reference.hpp) asks for.
 /// `Phases` is a type like BouncePhases (closed_form.hpp); of a touch only its law is used.
 template <class Phases, class Vector>
-class OneBall {
+class OneBallContacts {
  public:
-  using Watch = Phase;  // what can come after a touch
+  using Event = Phase;  // what can come after a touch
 
-  OneBall(const Phases& phases, double t, const State<Vector>& state) : phases_(phases) {
+  OneBallContacts(const Phases& phases, double t, const State<Vector>& state) : phases_(phases) {
     begin(t);
     phase_ = phases_.phase_at(state);
   }
@@ -39,13 +39,13 @@ class OneBall {
   Vector acceleration(double t, const State<Vector>& state) const {
     return phases_.acceleration(Phase::touch, t, state);
   }
-  auto watches(const State<Vector>&, double) const { return phases_.after_touch(); }
-  Lasting lasts(Watch next, double t, const State<Vector>& state, const Vector&) const {
-    return phases_.touch_lasts(next, t, state);
+  auto events(const State<Vector>&, double) const { return phases_.after_touch(); }
+  EventValue event_value(Event next, double t, const State<Vector>& state, const Vector&) const {
+    return phases_.event_value(next, t, state);
   }
-  double rounding(Watch, const State<Vector>&) const { return 0; }
+  double rounding(Event, const State<Vector>&) const { return 0; }
   bool resolves(const State<Vector>&, const State<Vector>&, double) const { return true; }
-  void pass(Watch next, double t, State<Vector>& state) {
+  void pass(Event next, double t, State<Vector>& state) {
     begin(t);
     state = phases_.at_event(phase_, next, state);
     phase_ = next;

@@ -4,38 +4,21 @@
 #include <limits>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "app/trace_point.hpp"
 #include "run/simulation.hpp"
 
 namespace bounce {
-
-/// One moment of a run, as the pictures and plots need it.
-struct TracePoint {
-  std::string_view columns;    // names of the values
-  double t;                    // s
-  std::vector<double> values;  // as in the CSV trace, without t; empty in old points of many balls
-  std::vector<double> exact;   // the exact solution's; empty where there is none
-  Energy energy;               // J
-  double before;               // energy at the start of the book [J]
-  double lost;                 // taken by the damper since then [J]
-  /// Neither here nor taken: the method's error [J].
-  double energy_error() const { return energy.total() + lost - before; }
-
-  /// The value in that column, of the first ball where there are many; NaN where there is none.
-  double column(std::string_view name) const;
-  double exact_column(std::string_view name) const;
-};
 
 /// Plays a simulation on a clock: runs, pauses, steps, goes back, slows down. It knows no window.
 /// The physics always moves by whole steps of its own dt; only the clock is slowed or stopped. One
 /// frame takes in at most 0.1 s of real time, so that a stall cannot make it explode or jump, and
 /// computes for `budget` at most, so that the picture does not freeze: then time runs slower.
-class Player {
+class Playback {
  public:
   using Clock = std::function<double()>;  // s, from any zero
-  explicit Player(std::unique_ptr<Simulation> simulation, Clock clock = wall_clock);
+  explicit Playback(std::unique_ptr<Simulation> simulation, Clock clock = wall_clock);
   static double wall_clock();
 
   Simulation& simulation() { return *simulation_; }
@@ -87,9 +70,9 @@ class Player {
   void move_to(double t);
   void advance_steps_to(double t);
   void refuse(const std::string& why);
+  void keep_copy();
   void remember();
   void forget_after(double t);
-  static TracePoint point(const Simulation& simulation);
 
   std::unique_ptr<Simulation> simulation_;
   std::deque<TracePoint> trace_;

@@ -1,0 +1,127 @@
+// What the user does to the window: keys, mouse, and clicks on the chart.
+#include "app/layout.hpp"
+#include "app/window.hpp"
+
+namespace bounce {
+
+void Window::handle(const SDL_Event& event) {
+  backend_->event(event);
+  if (event.type == SDL_QUIT) closed_ = true;
+  if (event.type == SDL_KEYDOWN) key(event.key.keysym.sym);
+  if (event.type == SDL_MOUSEMOTION) controls_.mouse_moved = true;
+  if (event.type == SDL_MOUSEBUTTONDOWN && event.button.button == SDL_BUTTON_LEFT) {
+    const Point at{static_cast<float>(event.button.x), static_cast<float>(event.button.y)};
+    holding_ = !choose_from_chart(at) && demo_.is_on_ball && demo_.is_on_ball(playback_, view_, at);
+    mouse_.clear();
+  }
+  if (event.type == SDL_MOUSEBUTTONUP) holding_ = false;
+}
+
+/// A click on a dot of the chart takes its method and its time step. Returns whether the click was
+/// the chart's.
+bool Window::choose_from_chart(Point at) {
+  const Rect area = layout::chart;
+  const bool inside =
+      at.x >= area.x && at.x <= area.right() && at.y >= area.y && at.y <= area.bottom();
+  if (!view_.chart || demo_.bare || !inside) return false;
+  if (const std::optional<ChartChoice> choice = error_chart_choice(area, chart_, at)) {
+    playback_.change([&choice](Simulation& simulation) {
+      simulation.use_method(choice->method);
+      if (choice->dt > 0) simulation.use_dt(choice->dt);
+    });
+  }
+  return true;
+}
+
+void Window::key(SDL_Keycode key) {
+  const bool is_for_the_game = key == SDLK_SPACE || key == SDLK_LEFT || key == SDLK_RIGHT;
+  if (is_game() && is_for_the_game) return;
+  switch (key) {
+    case SDLK_ESCAPE:
+      closed_ = true;
+      break;
+    case SDLK_p:
+    case SDLK_SPACE:
+      playback_.paused = !playback_.paused;
+      break;
+    case SDLK_PERIOD:
+    case SDLK_RIGHT:
+      playback_.step_forward();
+      break;
+    case SDLK_COMMA:
+    case SDLK_LEFT:
+      playback_.step_back();
+      break;
+    case SDLK_r:
+      playback_.restart();
+      break;
+    case SDLK_o:
+      playback_.rate = playback_.rate < 1 ? 1 : 0.1;
+      break;
+    case SDLK_l:
+      playback_.contact_lens = !playback_.contact_lens;
+      break;
+    case SDLK_t:
+      view_.from_above = demo_.in_space && !view_.from_above;
+      break;
+    case SDLK_e:
+      view_.chart = !view_.chart;
+      break;
+    case SDLK_m:
+      view_.muted = !view_.muted;
+      break;
+    case SDLK_MINUS:
+    case SDLK_KP_MINUS:
+      controls_.less = true;
+      break;
+    case SDLK_PLUS:
+    case SDLK_EQUALS:
+    case SDLK_KP_PLUS:
+      controls_.more = true;
+      break;
+    case SDLK_F1:
+      view_.help = !view_.help;
+      break;
+    case SDLK_F12:
+      screenshot_ = demo_.stage.name + ".png";
+      break;
+    default:
+      break;
+  }
+}
+
+/// The held ball follows the mouse, and leaves with the mouse's mean velocity over the last 80 ms
+/// (a single movement of a mouse is too jumpy).
+void Window::drag() {
+  if (!holding_) return;
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  mouse_.push_back({clock_, {at.x, at.y}});
+  while (mouse_.size() > 2 && mouse_.front().t < clock_ - 0.08) mouse_.pop_front();
+  const MouseSample &first = mouse_.front(), &last = mouse_.back();
+  const auto span = static_cast<float>(last.t - first.t);
+  Point velocity{0, 0};
+  if (span > 0) velocity = {(last.at.x - first.at.x) / span, (last.at.y - first.at.y) / span};
+  demo_.drag(playback_, view_, last.at, velocity);
+}
+
+/// What the keys and the mouse are doing now goes to the game.
+void Window::play_game(double real_seconds) {
+  const Uint8* keys = SDL_GetKeyboardState(nullptr);
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  controls_.mouse = {mouse.x, mouse.y};
+  controls_.button = (SDL_GetMouseState(nullptr, nullptr) & SDL_BUTTON_LMASK) != 0;
+  controls_.space = keys[SDL_SCANCODE_SPACE] != 0;
+  controls_.left = keys[SDL_SCANCODE_LEFT] != 0;
+  controls_.right = keys[SDL_SCANCODE_RIGHT] != 0;
+  controls_.up = keys[SDL_SCANCODE_UP] != 0;
+  controls_.down = keys[SDL_SCANCODE_DOWN] != 0;
+  controls_.a = keys[SDL_SCANCODE_A] != 0;
+  controls_.d = keys[SDL_SCANCODE_D] != 0;
+  controls_.w = keys[SDL_SCANCODE_W] != 0;
+  controls_.s = keys[SDL_SCANCODE_S] != 0;
+  controls_.seconds = real_seconds;
+  demo_.control(playback_, view_, controls_);
+  controls_.mouse_moved = controls_.less = controls_.more = false;
+}
+
+}  // namespace bounce

@@ -1,0 +1,174 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "physics/events/cubic.hpp"
+#include "physics/events/event_driven.hpp"
+#include "physics/methods/dop853.hpp"
+#include "physics/state.hpp"
+
+namespace bounce {
+
+/// The shortest step at `t` that still is one [s].
+inline double shortest_step(double t) { return 4 * std::numeric_limits<double>::epsilon() * t; }
+
+/// One step in contact, by a method of order 8: so long that its error stays within a tolerance,
+/// and that at most one event happens in it, at its very end.
+template <class Contacts, class Vector>
+class ContactStep {
+ public:
+  using Event = typename Contacts::Event;
+
+  /// Where the step begins.
+  struct Start {
+    Contacts& contacts;
+    double t;  // s
+    const State<Vector>& state;
+  };
+  struct Taken {
+    double length;              // s
+    std::optional<Event> what;  // the event at its end, if there is one
+    double next;                // s: what the error control proposes for the next step
+  };
+
+  explicit ContactStep(double tolerance) : tolerance_(tolerance) {}
+
+  /// Tries a step of `h` first.
+  Taken take(const Start& start, double h) {
+    method_.start_at(start.contacts, 0, start.state);
+    watched_.clear();
+    for (const Event& what : start.contacts.events(start.state, h)) {
+      EventValue before =
+          start.contacts.event_value(what, 0, start.state, method_.acceleration_at_start());
+      const double rounding = start.contacts.rounding(what, start.state);
+      if (before.value <= -rounding && before.slope < 0) {  // together with the event before
+        after_ = start.state;
+        return {0, what, h};
+      }
+      before.value = std::max(before.value, 0.0);  // an event's rounding
+      watched_.push_back({what, before, RootInStep::none});
+    }
+    h = accurate_step(start, h);
+    const WatchedEvent* event = cut_at_first_event(start, h);
+    return {h, event ? std::optional(event->what) : std::nullopt, step_after_};
+  }
+
+  /// The state at the end of the step that was taken.
+  const State<Vector>& end() const { return after_; }
+
+  /// The state `since` seconds after the start, by a step of its own.
+  State<Vector> at(const Start& start, double since) {
+    method_.start_at(start.contacts, 0, start.state);
+    return method_.step(start.contacts, 0, since);
+  }
+
+  double tolerance() const { return tolerance_; }
+  std::size_t watched() const { return watched_.size(); }
+  long long force_evaluations() const { return method_.evaluations(); }
+
+ private:
+  /// What is watched, and its value at the piece's start.
+  struct WatchedEvent {
+    Event what;
+    EventValue before;
+    RootInStep root;
+  };
+
+  static constexpr bool law_jumps = requires { Contacts::jumps_without_event; };
+
+  /// A step whose error is within the tolerance; `after_` is its end. Where a law may jump without
+  /// an event (two balls run through each other, centre through centre), the shortest step has to
+  /// do. Elsewhere nothing can be said of an error that such a step does not make small.
+  double accurate_step(const Start& start, double h) {
+    bool shortened = false;
+    while (true) {
+      after_ = method_.step(start.contacts, 0, h);
+      const double error = method_.error(h, tolerance_);
+      step_after_ = error > 0 ? Dop853<Vector>::better_step(h, error) : 6 * h;
+      if (error <= 1) break;
+      if (!(h > shortest_step(start.t))) {
+        if (law_jumps && std::isfinite(error)) break;
+        throw TimeStandsStill(start.t);
+      }
+      h = std::min(step_after_, 0.9 * h);
+      shortened = true;
+    }
+    if (shortened) step_after_ = std::min(step_after_, h);
+    return h;
+  }
+
+  /// Shortens the step `h` until at most one thing happens in it, at its very end: the one that is
+  /// returned.
+  const WatchedEvent* cut_at_first_event(const Start& start, double& h) {
+    const WatchedEvent* event = nullptr;
+    while (true) {
+      const Vector acceleration = acceleration_after(start, h);
+      WatchedEvent* ends = nullptr;
+      bool unclear = !start.contacts.resolves(start.state, after_, h);
+      for (WatchedEvent& watched : watched_) {
+        if (&watched == event) continue;
+        const EventValue now = start.contacts.event_value(watched.what, h, after_, acceleration);
+        watched.root =
+            root_in_step(watched.before, now, h, start.contacts.rounding(watched.what, after_));
+        unclear = unclear || watched.root == RootInStep::unclear;
+        if (watched.root == RootInStep::one && !ends) ends = &watched;
+      }
+      if (unclear && h / 2 > shortest_step(start.t)) {
+        step_after_ = std::min(step_after_, h);
+        h /= 2;
+        event = nullptr;
+        after_ = method_.step(start.contacts, 0, h);
+        continue;
+      }
+      if (!ends) return event;
+      const double before = h;
+      h = cut(start, *ends, h);
+      const bool simultaneous = event && before - h <= shortest_step(start.t);
+      event = ends;
+      if (simultaneous) return event;
+    }
+  }
+
+  Vector acceleration_after(const Start& start, double h) {
+    return start.contacts.acceleration(h, after_);
+  }
+
+  /// Newton's method on the length of the step: it ends where `watched` does. Returns the length.
+  double cut(const Start& start, const WatchedEvent& watched, double h) {
+    const EventValue end =
+        start.contacts.event_value(watched.what, h, after_, acceleration_after(start, h));
+    double low = 0, high = h;
+    double length = Cubic(watched.before, end, h).zero();
+    for (int i = 0; i < 60; ++i) {
+      after_ = method_.step(start.contacts, 0, length);
+      const Vector acceleration = acceleration_after(start, length);
+      const EventValue now = start.contacts.event_value(watched.what, length, after_, acceleration);
+      (now.value > 0 ? low : high) = length;
+      double next = (low + high) / 2;
+      if (now.slope < 0) {
+        const double newton = length - now.value / now.slope;
+        if (low <= newton && newton <= high) next = newton;
+      }
+      const double rest = next - length;
+      if (std::abs(rest) <= std::max(1e-7 * h, shortest_step(start.t))) {
+        // So little that two terms of Taylor's series go the rest of the way.
+        after_.position += (after_.velocity + acceleration * (rest / 2)) * rest;
+        after_.velocity += acceleration * rest;
+        return next;
+      }
+      length = next;
+    }
+    return length;
+  }
+
+  double tolerance_;
+  State<Vector> after_{};
+  double step_after_ = 0;
+  std::vector<WatchedEvent> watched_;
+  Dop853<Vector> method_;
+};
+
+}  // namespace bounce
