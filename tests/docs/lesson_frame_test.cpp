@@ -115,8 +115,8 @@ TEST_CASE("a lesson is short, and says it in plain words") {
     CHECK_MESSAGE(counts.words <= 20 * counts.sentences,
                   "a sentence has more than 20 words: ", counts.words, " words in ",
                   counts.sentences, " sentences");
-    for (const auto& [words, reason] : forbidden) {
-      CHECK_MESSAGE(text.find(words) == std::string::npos, "'", words, "': ", reason);
+    for (const Forbidden& one : forbidden) {
+      CHECK_MESSAGE(text.find(one.words) == std::string::npos, "'", one.words, "': ", one.reason);
     }
   }
 }
