@@ -36,8 +36,8 @@ inline double damping_ratio(double stiffness, double damping, double mass) {
 }
 
 // The two formulas below hold for a ball that comes in with any speed and *without gravity*; with
-// gravity the restitution also depends on the speed (docs/03_damping.md). They follow from the
-// damped oscillator x'' + 2 beta x' + omega0^2 x = 0 that starts at x = 0.
+// gravity the restitution also depends on the speed (docs/deeper/03_damping.md). They follow from
+// the damped oscillator x'' + 2 beta x' + omega0^2 x = 0 that starts at x = 0.
 
 /// How long a contact lasts [s]. `may_pull`: until the overlap is gone, pi / omega_d, and for ever
 /// (infinity) from zeta = 1 on. `push_only`: until the force is gone, which is sooner and finite.

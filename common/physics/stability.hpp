@@ -7,7 +7,7 @@ namespace bounce {
 // matrix. The method is stable while no eigenvalue of that matrix is larger than 1 in magnitude.
 // The functions return that limit as omega0 dt, a pure number, for a damping ratio zeta >= 0.
 // Above it the ball is thrown out of the floor with more and more energy. Well below it a bounce
-// can still be wrong by some percent: stable is not accurate (docs/02_spring_floor.md).
+// can still be wrong by some percent: stable is not accurate (docs/deeper/02_spring_floor.md).
 
 /// Explicit Euler. Its eigenvalues are 1 + lambda dt; on an undamped spring their squared magnitude
 /// is 1 + (omega0 dt)^2, so that no step is stable and the limit is 0.

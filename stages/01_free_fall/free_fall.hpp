@@ -36,7 +36,7 @@ struct FreeFall {
   }
 };
 
-/// The loop of the slides, once around: force -> acceleration -> velocity -> position. It will
+/// The loop, once around: force -> acceleration -> velocity -> position. It will
 /// never change again, and so it lives in common/physics/methods/semi_implicit_euler.hpp, under its
 /// name in the field: semi_implicit_euler. A test shows that the two are equal to the bit.
 // [loop]

@@ -26,7 +26,7 @@
   // [acceleration]
 
 // [loop]
-// YOUR TURN 3 of 3: the loop, once around. (Lesson: "The program")
+// YOUR TURN 3 of 3: the loop, once around. (Lesson: "The idea")
 // You have: scene.acceleration(t, state) [m/s^2], state.position [m], state.velocity [m/s], dt [s].
 // Must hold: afterwards `state` is one time step dt later. First the velocity changes, by the
 // acceleration at (t, state); then the position, by the *new* velocity. It works for every scene,

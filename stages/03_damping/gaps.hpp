@@ -12,7 +12,7 @@
   // Must hold: as in stage 2, and while the ball overlaps the floor (y < radius, not at y = radius)
   // a damper brakes it with damping times its velocity, against the velocity.
   // If contact == ContactLaw::push_only, spring and damper together never pull: their sum is at
-  // least 0. (Lesson: "The slides' damper can pull".) Gravity is no part of that sum.
+  // least 0. Gravity is no part of it. (docs/deeper/03_damping.md: "The damper can pull")
   double force(double /*t*/, [[maybe_unused]] const State<double>& state) const {
     return 0;  // <- here
   }

@@ -18,7 +18,7 @@
   // [force]
 
   // [acceleration]
-  // YOUR TURN 2 of 2: the acceleration [m/s^2]. (Lesson: "The program")
+  // YOUR TURN 2 of 2: the acceleration [m/s^2]. (Lesson: "The idea")
   // Must hold: F = m a, for the whole vector.
   Eigen::Vector3d acceleration([[maybe_unused]] double t,
                                [[maybe_unused]] const State<Eigen::Vector3d>& state) const {

@@ -35,7 +35,7 @@ Question<Turn> loop_question(const Turn& first) {
   Question<Turn> q;
   q.tested = "position and velocity after one step of the loop";
   q.names = {"y [m]", "v [m/s]", ""};
-  q.lesson = "docs/01_free_fall.md, \"The program\"";
+  q.lesson = "docs/01_free_fall.md, \"The idea\"";
   q.answer = [](const Turn& s) {
     const Motion after = subject().step(s.law, s.t, {up(s.y), up(s.v)}, s.dt);
     return y_and_v(after.position[1], after.velocity[1]);
@@ -56,8 +56,7 @@ Question<Turn> loop_question(const Turn& first) {
   q.suspects = {
       {"position before velocity",
        "the position moved with the velocity from before the step. That is explicit Euler; the "
-       "loop "
-       "of the slides changes the velocity first, and moves with the new one.",
+       "loop of this stage changes the velocity first, and moves with the new one.",
        [](const Turn& s) { return y_and_v(s.y + s.v * s.dt, s.v + s.a() * s.dt); }},
       {"dt twice", "the velocity changes by acceleration * dt. Is there a dt too many?",
        [](const Turn& s) {
@@ -206,7 +205,7 @@ TEST_SUITE("01_free_fall") {
     q.tested = "the position after many steps of your loop";
     q.unit = "m";
     q.names = {"", "y", ""};
-    q.lesson = "docs/01_free_fall.md, \"How accurate and how fast\"";
+    q.lesson = "docs/deeper/01_free_fall.md, \"How accurate and how fast\"";
     q.answer = [](const Fall& f) {
       return up(subject().run(f.setting, {up(f.y0), up(f.v0)}, f.dt, f.steps).position[1]);
     };

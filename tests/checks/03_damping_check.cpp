@@ -77,7 +77,7 @@ Question<Moment> force_question(const std::string& tested) {
        }},
       {"push_only forgotten",
        "with contact push_only your floor still pulls. There the push is max(0, spring + damper); "
-       "docs/03_damping.md says why, in \"The slides' damper can pull\".",
+       "docs/deeper/03_damping.md says why, in \"The damper can pull\".",
        [](const Moment& m) {
          return up(-m.weight() + (m.overlaps() ? spring(m) + damper(m) : 0));
        }},

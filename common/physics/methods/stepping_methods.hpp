@@ -6,7 +6,7 @@
 //
 // and differ in when they ask for it, and so in what an error of theirs looks like.
 // "Order p" means: halve dt, and the error after a given time falls by 2^p - as long as the
-// acceleration is smooth. A touch of the floor is not smooth (docs/02_spring_floor.md).
+// acceleration is smooth. A touch of the floor is not smooth (docs/deeper/02_spring_floor.md).
 #include "physics/methods/explicit_euler.hpp"
 #include "physics/methods/rk4.hpp"
 #include "physics/methods/semi_implicit_euler.hpp"

@@ -1,0 +1,40 @@
+// The numbers of a lesson's "How wrong, how fast?" are quoted from its second page, where a program
+// makes them. When they change there, the lesson has to follow.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <regex>
+#include <string>
+
+#include "run_program.hpp"
+
+using bounce::test::read_file;
+
+// Those that quote in the unit of the page: 5, 7 and 8 say "0.12 mm" for its 0.00012 m.
+static const std::array lessons{
+    "01_free_fall.md",
+    "02_spring_floor.md",
+    "03_damping.md",
+    "04_three_dimensions.md",
+};
+
+TEST_CASE("the numbers that a lesson quotes stand on its second page") {
+  const std::string docs = std::string(BOUNCE_SOURCE_DIR) + "/docs/";
+  int found = 0;
+  for (const std::string name : lessons) {
+    const std::string page = read_file(docs + "deeper/" + name);
+    const std::string lesson = read_file(docs + name);
+    const std::size_t begin = lesson.find("\n## How wrong, how fast?\n");
+    REQUIRE_MESSAGE(begin != std::string::npos, name, " has no such section");
+    const std::string section = lesson.substr(begin + 1, lesson.find("\n## ", begin + 1) - begin);
+    // Only those with a decimal point: "3 lines" needs no source.
+    const std::regex decimal("[0-9]+\\.[0-9]+");
+    for (std::sregex_iterator at(section.begin(), section.end(), decimal), end; at != end; ++at) {
+      const std::string number = at->str();
+      CHECK_MESSAGE(page.find(number) != std::string::npos, "docs/", name, " quotes ", number,
+                    ", which docs/deeper/", name, " does not have");
+      ++found;
+    }
+  }
+  CHECK(found >= 10);
+}
