@@ -39,12 +39,15 @@ bool is_fence(const std::string& line) { return line.rfind("```", 0) == 0; }
 
 // ---- Where blocks come from ---------------------------------------------------------------------
 
-/// "FILE NAME": the lines between two `// [NAME]` lines, without the spaces that all begin with.
+/// "FILE": all its lines. "FILE NAME": those between two `// [NAME]` lines, without the spaces that
+/// all of them begin with.
 Lines cut(const fs::path& root, const std::string& what) {
   std::istringstream words(what);
   std::string file, name, more;
-  if (!(words >> file >> name) || words >> more) throw Mistake("a cut is FILE NAME: " + what);
+  words >> file >> name;
+  if (file.empty() || words >> more) throw Mistake("a cut is FILE or FILE NAME: " + what);
   if (!fs::is_regular_file(root / file)) throw Mistake("there is no file " + file);
+  if (name.empty()) return lines_of(read_file((root / file).string()));
   const std::string anchor = "// [" + name + "]";
   Lines found;
   int anchors = 0;
@@ -273,8 +276,11 @@ CheckedLesson check_lesson(const fs::path& root, const fs::path& file, const std
 std::vector<fs::path> lesson_files(const fs::path& root) {
   std::vector<fs::path> files;
   if (fs::exists(root / "README.md")) files.push_back("README.md");
-  for (const fs::directory_entry& entry : fs::directory_iterator(root / "docs")) {
-    if (entry.path().extension() == ".md") files.push_back("docs" / entry.path().filename());
+  for (const fs::path folder : {"docs", "docs/deeper"}) {
+    if (!fs::exists(root / folder)) continue;
+    for (const fs::directory_entry& entry : fs::directory_iterator(root / folder)) {
+      if (entry.path().extension() == ".md") files.push_back(folder / entry.path().filename());
+    }
   }
   std::sort(files.begin(), files.end());
   return files;

@@ -13,6 +13,7 @@ namespace bounce::test {
 // from runs. A marker on the line before a block tells where from:
 //
 //   <!-- cut: FILE NAME -->                    the lines of FILE between two `// [NAME]` lines
+//   <!-- cut: FILE -->                         the whole of FILE
 //   <!-- diff: FILE1 NAME1 | FILE2 NAME2 -->   what changed from the one cut to the other
 //   <!-- run: PROGRAM ARGS -->                 what that program prints
 //   <!-- list: 03_damping -->                  a stage's parameters, as a table
@@ -42,7 +43,7 @@ using Runner = std::function<Outcome(const std::string& command)>;
 CheckedLesson check_lesson(const std::filesystem::path& root, const std::filesystem::path& file,
                            const std::string& text, const Runner& run);
 
-/// README.md and docs/*.md, as paths from `root`.
+/// README.md, docs/*.md and docs/deeper/*.md, as paths from `root`.
 std::vector<std::filesystem::path> lesson_files(const std::filesystem::path& root);
 
 }  // namespace bounce::test

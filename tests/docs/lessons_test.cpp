@@ -83,7 +83,10 @@ namespace {
 struct Project {
   fs::path root = fs::path(work_folder()).parent_path() / "project";
   Project() {
-    fs::create_directories(root / "docs");
+    fs::create_directories(root / "docs" / "deeper");
+    std::ofstream(root / "docs" / "01_law.md") << "# Law\n";
+    std::ofstream(root / "docs" / "deeper" / "01_law.md") << "# Law, deeper\n";
+    std::ofstream(root / "plain.cpp") << "int main() {\n  // falls\n}\n";
     std::ofstream(root / "old.hpp") << "  // [law]\n  F = -m * g;\n  a = F / m;\n  // [law]\n";
     std::ofstream(root / "new.hpp") << "// [law]\nF = -m * g;\nif (y < r) {\n  F += k * (r - y);\n"
                                        "}\na = F / m;\n// [law]\n// [once]\n";
@@ -122,6 +125,8 @@ TEST_CASE("a block that is as it should be passes, and one that drifted is found
   const Case cases[] = {
       {"<!-- cut: old.hpp law -->", "```cpp\nF = -m * g;\na = F / m;\n```\n",
        "```cpp\nF = m * g;\na = F / m;\n```\n"},
+      {"<!-- cut: plain.cpp -->", "```cpp\nint main() {\n  // falls\n}\n```\n",
+       "```cpp\nint main() {\n  // flies\n}\n```\n"},
       {"<!-- diff: old.hpp law | new.hpp law -->",
        "```diff\n  F = -m * g;\n+ if (y < r) {\n+   F += k * (r - y);\n+ }\n  a = F / m;\n```\n",
        "```diff\n  F = -m * g;\n+ if (y < r) F += k * (r - y);\n  a = F / m;\n```\n"},
@@ -175,6 +180,7 @@ TEST_CASE("what only an author can mend is said, with its line, and the text is 
       {"# Law\n<!-- cut: old.hpp low -->\n```cpp\n```\n", "// [low] 0 times", 2},
       {"<!-- cut: new.hpp once -->\n```cpp\n```\n", "// [once] 1 times", 1},
       {"<!-- cut: lost.hpp law -->\n```cpp\n```\n", "no file lost.hpp", 1},
+      {"<!-- cut: old.hpp law 2 -->\n```cpp\n```\n", "FILE or FILE NAME", 1},
       {"<!-- diff: old.hpp law -->\n```diff\n```\n", "FILE1 NAME1 | FILE2 NAME2", 1},
       {"`fall --at 2`\n<!-- run: fall --at 2 -->\n```text\n```\n", "exit code 2: what?", 2},
       {"<!-- run: fall --at 1 -->\n```text\nt,y\n1,0.095\n```\n", "does not show the command", 1},
@@ -204,6 +210,18 @@ TEST_CASE("what only an author can mend is said, with its line, and the text is 
     CHECK(checked.drifted.empty());
     CHECK(checked.text == one.text);
   }
+}
+
+TEST_CASE("the second pages are checked too, and their links count from their own folder") {
+  const Project project;
+  const std::vector<fs::path> expected{"docs/01_law.md", "docs/deeper/01_law.md"};
+  CHECK(lesson_files(project.root) == expected);
+  const std::string up = "Back to [the lesson](../01_law.md), [code](../../old.hpp).\n";
+  check_clean(project.check(up, "deeper/01_law.md"), up);
+  const std::string not_from_here = "See [code](../old.hpp).\n";
+  CHECK(project.check(not_from_here).mistakes.empty());
+  CHECK(project.check(not_from_here, "deeper/01_law.md").mistakes.size() == 1);
+  CHECK(project.check("```cpp\nint x;\n```\n", "deeper/01_law.md").mistakes.size() == 1);
 }
 
 TEST_CASE("what may be written by hand") {

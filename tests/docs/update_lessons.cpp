@@ -1,6 +1,6 @@
-// Brings every block of README.md and docs/*.md up to date with the code and the programs (the
-// markers: lesson_tool.hpp). usage: update_lessons      exit code 1 when something is left that
-// only an author can mend
+// Brings every block of README.md, docs/*.md and docs/deeper/*.md up to date with the code and the
+// programs (the markers: lesson_tool.hpp). usage: update_lessons      exit code 1 when something is
+// left that only an author can mend
 
 #include <fstream>
 #include <iostream>
