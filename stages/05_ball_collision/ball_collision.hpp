@@ -61,7 +61,7 @@ struct BallCollision {
   std::array<double, 2> tray{};  // m: walls at x = 0 and LX, z = 0 and LZ; 0: none that way
   Eigen::VectorXd mass;          // kg, one for each ball
   Eigen::VectorXd radius;        // m
-  Eigen::Index grid_from = 48;   // with fewer balls the double loop is faster (see the lesson)
+  Eigen::Index grid_from = 48;   // with fewer balls the double loop is faster (see docs/deeper)
 
   using Matrix = Eigen::Matrix3Xd;
 

@@ -34,7 +34,7 @@ inline Eigen::Vector3d pair_force([[maybe_unused]] const Ball& ball1,
 
 // [acceleration]
 // YOUR TURN 3 of 3: the forces between all balls. Gravity and floor are there.
-// (Lesson: "The program")
+// (Lesson: "The idea")
 // You have: for_each_pair, which comes here once for each pair, i < j; ball(state, i); from_ball,
 // the contact; force_.col(i) [N], a column for each ball.
 // Must hold: ball i gets pair_force(ball i, ball j, from_ball), and ball j the opposite one.

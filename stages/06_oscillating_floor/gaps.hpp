@@ -20,7 +20,7 @@
   // [floor]
 
   // [force]
-  // YOUR TURN 2 of 3: the force on the ball [N]. (Lesson: "The program")
+  // YOUR TURN 2 of 3: the force on the ball [N]. (Lesson: "The idea")
   // You have: what stage 3 had; floor_height(t) from above; touches and damped_velocity from below.
   // Must hold: as in stage 3, seen from a floor that is at floor_height(t). The ball is in contact
   // while touches(y, floor); the overlap is measured from where the floor is; the damper brakes
@@ -32,7 +32,7 @@
 
   // [laws]
   // YOUR TURN 3 of 3: what the contact knows of the floor's movement.
-  // (Lesson: "Is the claim true?")
+  // (Lesson: "The idea"; why so: docs/deeper/06_oscillating_floor.md)
   // You have: radius [m], floor_law, and floor_speed(t) [m/s] from above.
   // Must hold: this table.
   //   floor_law               in contact while                   the damper brakes

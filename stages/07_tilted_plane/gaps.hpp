@@ -8,7 +8,7 @@
 
   // [plane]
   // YOUR TURN 1 of 2: the same plane, with a normal of length 1.
-  // (Lesson: "A normal must have length 1")
+  // (Lesson: "The idea")
   // You have: normal (a, b, c), of any length but zero, and offset d, of a x + b y + c z + d = 0.
   // Must hold: both sides of the equation are divided by the length of the normal, `normal.norm()`.
   // (Plane::from_equation does that. Write it out once: return {the new normal, the new offset}.)

@@ -23,7 +23,7 @@
   // [nearest]
 
   // [force]
-  // YOUR TURN 2 of 2: the force on the ball [N]. (Lesson: "The program")
+  // YOUR TURN 2 of 2: the force on the ball [N]. (Lesson: "The idea")
   // You have: what stage 7 had, disc_at(t), nearest(...) from above, and
   // racket.velocity_of(point) [m/s], how fast that point of the racket moves.
   // Must hold: the law of stage 7 along the direction of nearest(), with the distance from there.

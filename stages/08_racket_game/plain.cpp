@@ -1,5 +1,5 @@
 // Stage 8, the whole program: the plane ends at a rim, and it moves: a racket. Here it rises and
-// slides away under the ball, which bounces, comes to rest, and in the end slips off over the rim.
+// moves away under the ball, which bounces, comes to rest, and in the end slips off over the rim.
 //   g++ -I /usr/include/eigen3 plain.cpp && ./a.out
 // The stage program does the same with --player none --set position=0,0.6015,0
 //   --set racket_position=0.25,0,0 --set racket_velocity=-0.06,0.1,0

@@ -73,7 +73,7 @@ inline Question<OneInCrowd> crowd_question() {
   q.tested = "the acceleration of one ball among several";
   q.unit = "m/s^2";
   q.names = {"ax", "ay", "az"};
-  q.lesson = "docs/05_ball_collision.md, \"The program\"";
+  q.lesson = "docs/05_ball_collision.md, \"The idea\"";
   q.answer = [](const OneInCrowd& c) {
     return subject().accelerations(c.crowd.setting, c.crowd.balls).at(c.i);
   };

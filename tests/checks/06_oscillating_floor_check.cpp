@@ -92,7 +92,7 @@ TEST_SUITE("06_oscillating_floor") {
   }
   TEST_CASE("the laws: touches(y, floor) and damped_velocity(t, v)") {
     Question<Moment> q = floor_question("touches(y, floor)", "", "touches");
-    q.lesson = "docs/06_oscillating_floor.md, \"Is the claim true?\"";
+    q.lesson = "docs/06_oscillating_floor.md, \"The idea\"";
     q.look_at = "the table above the gap: one row for each floor_law.";
     q.where = [](const Moment& m) {
       return "y = " + number(m.y()) + " m, v = " + number(m.v()) + " m/s, radius " +

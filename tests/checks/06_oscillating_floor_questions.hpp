@@ -66,7 +66,7 @@ inline Triple right(const Moment& m) { return force_with(m, seen(m)); }
 
 inline Question<Moment> force_question(const std::string& tested) {
   Question<Moment> q = floor_question(tested, "N", "F");
-  q.lesson = "docs/06_oscillating_floor.md, \"The program\"";
+  q.lesson = "docs/06_oscillating_floor.md, \"The idea\"";
   q.answer = [](const Moment& m) { return subject().force(m.setting, m.t, m.motion); };
   q.truth = right;
   q.rounding = force_rounding;

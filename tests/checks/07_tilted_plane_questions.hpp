@@ -33,7 +33,7 @@ inline std::string plane_text(const Moment& m) {
 
 inline Question<Moment> plane_question() {
   Question<Moment> q;
-  q.lesson = "docs/07_tilted_plane.md, \"A normal must have length 1\"";
+  q.lesson = "docs/07_tilted_plane.md, \"The idea\"";
   q.rounding = [](const Moment& m) { return 1e-14 * (1 + std::abs(m.setting.offset)); };
   q.where = plane_text;
   q.when = one_moment;

@@ -1,5 +1,5 @@
-// The tables of numbers in lesson 6, computed with the library. usage: lesson_numbers_06 TABLE
-// The lesson shows them after <!-- table: lesson_numbers_06 TABLE --> (lesson_tool.hpp).
+// The tables of numbers of stage 6, computed with the library. usage: lesson_numbers_06 TABLE
+// Its pages show them after <!-- table: lesson_numbers_06 TABLE --> (lesson_tool.hpp).
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +80,23 @@ void sudden() {
   }
 }
 
-/// The different heights among the last of many bounces.
+/// A row: the different heights among the last of many bounces.
+void heights_of(const OscillatingFloor& scene) {
+  std::vector<double> all;
+  for (const Bounce& bounce : settled_bounces(scene, 600, 64)) {
+    const auto same = [&](double h) { return std::abs(h - bounce.height) < 1e-4; };
+    if (std::none_of(all.begin(), all.end(), same)) all.push_back(bounce.height);
+  }
+  std::rotate(all.begin(), std::min_element(all.begin(), all.end()), all.end());
+  std::printf("| %g |", 1e3 * scene.amplitude);
+  if (all.size() > 8) {
+    std::printf(" %s 30 different ones in 64 bounces", all.size() > 30 ? "more than" : "at most");
+  } else {
+    for (const double height : all) std::printf(" %.3f", height);
+  }
+  std::printf(" |\n");
+}
+
 void heights() {
   std::printf("| amplitude [mm] | heights in turn [m] |\n|---|---|\n");
   for (const double amplitude : {0.056, 0.062, 0.068, 0.074, 0.0765, 0.082}) {
@@ -88,19 +104,17 @@ void heights() {
     // From 0.8 m the way to the four heights leads through chaos, where the last digit of a sine
     // decides when it ends; from 0.82 m it does not.
     if (amplitude == 0.0765) scene.start.position = 0.82;
-    std::vector<double> all;
-    for (const Bounce& bounce : settled_bounces(scene, 600, 64)) {
-      const auto same = [&](double h) { return std::abs(h - bounce.height) < 1e-4; };
-      if (std::none_of(all.begin(), all.end(), same)) all.push_back(bounce.height);
-    }
-    std::rotate(all.begin(), std::min_element(all.begin(), all.end()), all.end());
-    std::printf("| %g |", 1e3 * amplitude);
-    if (all.size() > 8) {
-      std::printf(" %s 30 different ones in 64 bounces", all.size() > 30 ? "more than" : "at most");
-    } else {
-      for (const double height : all) std::printf(" %.3f", height);
-    }
-    std::printf(" |\n");
+    heights_of(scene);
+  }
+}
+
+/// The same with all that the demo begins with, but the amplitude.
+void default_heights() {
+  std::printf("| amplitude [mm] | heights in turn [m] |\n|---|---|\n");
+  for (const double amplitude : {0.060, 0.065, 0.070, 0.075, 0.082}) {
+    OscillatingFloor scene;
+    scene.amplitude = amplitude;
+    heights_of(scene);
   }
 }
 
@@ -198,9 +212,13 @@ void error() {
   }
 }
 
-const bounce::test::Table tables[] = {
-    {"moving_floor", moving_floor}, {"sudden", sudden}, {"heights", heights},
-    {"parting", parting},           {"trust", trust},   {"error", error}};
+const bounce::test::Table tables[] = {{"moving_floor", moving_floor},
+                                      {"sudden", sudden},
+                                      {"heights", heights},
+                                      {"default_heights", default_heights},
+                                      {"parting", parting},
+                                      {"trust", trust},
+                                      {"error", error}};
 
 }  // namespace
 

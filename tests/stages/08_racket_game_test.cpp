@@ -430,7 +430,7 @@ TEST_CASE("stage 8: the assist takes all of the aim off the player, but not the 
 
 TEST_CASE("stage 8: blind, struck while the racket slows down, the ball comes back by itself") {
   // After Schaal, Sternad and Atkeson (1996): stable while the racket's acceleration at the hit is
-  // between -2 g (1 + e^2) / (1 + e)^2 = -9.93 m/s^2 and 0. Here it is -4.8.
+  // between -2 g (1 + e^2) / (1 + e)^2 = -9.93 m/s^2 and 0. Here it is -4.89.
   GameRun steady = game(PlayerKind::blind, 1, {{"knock", "0"}});
   const std::vector<double> rest = tops(steady, 100);
   REQUIRE(rest.size() > 100);

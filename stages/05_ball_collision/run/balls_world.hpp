@@ -33,7 +33,7 @@ class BallsWorld {
   std::string origin;                            // the option that brought them
   int threads = 1;  // for many balls. The result is the same, to the bit.
   /// From so many balls on, the steps of semi-implicit Euler and velocity Verlet are taken by
-  /// many::ManyBalls, which is faster (see the lesson) and gives the same bits.
+  /// many::ManyBalls, which is faster (see docs/deeper) and gives the same bits.
   Eigen::Index many_from = 32;
   std::uint64_t seed = 1;  // of the last start
 
