@@ -9,6 +9,17 @@
 
 namespace bounce {
 
+/// The methods of a scene with one ball: all, where its closed form also tells what located events
+/// need; else those that step, and the formula.
+template <class Phases, class Vector, bool locates_events>
+struct MethodsOfOneBall {
+  using List = AllMethods<Phases, OneBallContacts<Phases, Vector>, Vector>;
+};
+template <class Phases, class Vector>
+struct MethodsOfOneBall<Phases, Vector, false> {
+  using List = decltype(SteppingMethods<Vector>{} + MethodList<ExactMethod<Phases, Vector>>{});
+};
+
 /// A scene with one ball, in one dimension or three: what `Scene::start` says. `Phases` are its
 /// movement in closed form, made from the scene (the stage's exact.hpp). A scene whose floor moves
 /// has a `floor_height(t)`, which the trace shows in a column of its own, and a `floor_speed(t)`.
@@ -22,9 +33,7 @@ struct OneBallWorld {
   // Does the closed form also tell what located events need?
   static constexpr bool locates_events = requires(const Phases& of) { of.after_touch(); };
   static constexpr bool floor_moves = requires(const Scene& of) { of.floor_height(0.0); };
-  using Methods = std::conditional_t<locates_events, AllMethods<Phases, Contacts, Vector>,
-                                     decltype(SteppingMethods<Vector>{} +
-                                              MethodList<ExactMethod<Phases, Vector>>{})>;
+  using Methods = typename MethodsOfOneBall<Phases, Vector, locates_events>::List;
 
   Scene scene;
 
