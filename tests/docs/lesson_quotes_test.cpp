@@ -10,7 +10,7 @@
 
 using bounce::test::read_file;
 
-// Those that quote in the unit of the page: 5, 7 and 8 say "0.12 mm" for its 0.00012 m.
+// A number is quoted in the unit of its page, so that it can be found there.
 static const std::array lessons{
     "01_free_fall.md",
     "02_spring_floor.md",
