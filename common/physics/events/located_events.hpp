@@ -29,7 +29,7 @@ class LocatedEvents {
   }
 
   /// One step from `t` to `end` in as many pieces as there are phases in it. `step(law, t, state,
-  /// dt)` is a stepping method (integrators.hpp) that carries nothing from step to step. Steps are
+  /// dt)` is a stepping method that carries nothing from step to step. Steps are
   /// given by both their ends, because the next one must begin exactly where this one ended: tiny
   /// gaps between 1e5 steps would add up.
   template <class Step>
