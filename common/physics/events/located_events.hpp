@@ -18,10 +18,10 @@ namespace bounce {
 ///
 /// For `Phases` see concepts.hpp. The end of a flight is known by formula, or by exact's search.
 template <class Phases, class Vector>
-requires LocatedPhasesFor<Phases, Vector>
 class LocatedEvents {
  public:
-  LocatedEvents(const Phases& phases, double t, const State<Vector>& state)
+  LocatedEvents(const Phases& phases, double t,
+                const State<Vector>& state) requires LocatedPhasesFor<Phases, Vector>
       : phases_(phases), start_(t), at_start_(state) {
     begin_at(t);
     phase_ = phases_.phase_at(state);
