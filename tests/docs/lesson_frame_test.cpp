@@ -13,10 +13,8 @@ using bounce::test::read_file;
 namespace {
 
 const std::array lessons{
-    "01_free_fall",
-    "02_spring_floor",
-    "03_damping",
-    "04_three_dimensions",
+    "01_free_fall",      "02_spring_floor",      "03_damping",      "04_three_dimensions",
+    "05_ball_collision", "06_oscillating_floor", "07_tilted_plane", "08_racket_game",
 };
 
 // Words for which there is a common one, or that do not belong here: with the reason.

@@ -12,10 +12,9 @@ using bounce::test::read_file;
 
 // A number is quoted in the unit of its page, so that it can be found there.
 static const std::array lessons{
-    "01_free_fall.md",
-    "02_spring_floor.md",
-    "03_damping.md",
-    "04_three_dimensions.md",
+    "01_free_fall.md",        "02_spring_floor.md",   "03_damping.md",
+    "04_three_dimensions.md", "05_ball_collision.md", "06_oscillating_floor.md",
+    "07_tilted_plane.md",     "08_racket_game.md",
 };
 
 TEST_CASE("the numbers that a lesson quotes stand on its second page") {

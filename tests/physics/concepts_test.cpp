@@ -85,16 +85,14 @@ concept Walks = requires {
   typename EventDriven<Phases, Vector>;
 };
 template <class Phases, class Vector>
-concept Locates = requires {
-  typename LocatedEvents<Phases, Vector>;
-};
+concept Locates = std::constructible_from < LocatedEvents<Phases, Vector>,
+const Phases&, double, const State<Vector>& > ;
 template <class Contacts, class Vector>
-concept Refers = requires {
-  typename Reference<Contacts, Vector>;
-};
+concept Refers = std::constructible_from < Reference<Contacts, Vector>,
+const Contacts&, double, const State<Vector>&, double > ;
 
 static_assert(Walks<FreeFallExact, double> && !Walks<NeverEnds, double>);
 static_assert(Locates<DampingExact, double> && !Locates<FreeFallExact, double>);
-static_assert(Refers<OfOneBall, double> && !Refers<DampingExact, double>);
+static_assert(Refers<OfOneBall, double> && !Refers<OtherEvents, double>);
 
 }  // namespace

@@ -18,10 +18,10 @@ namespace bounce {
 ///
 /// For `Phases` see concepts.hpp. The end of a flight is known by formula, or by exact's search.
 template <class Phases, class Vector>
-requires LocatedPhasesFor<Phases, Vector>
 class LocatedEvents {
  public:
-  LocatedEvents(const Phases& phases, double t, const State<Vector>& state)
+  LocatedEvents(const Phases& phases, double t,
+                const State<Vector>& state) requires LocatedPhasesFor<Phases, Vector>
       : phases_(phases), start_(t), at_start_(state) {
     begin_at(t);
     phase_ = phases_.phase_at(state);
@@ -29,7 +29,7 @@ class LocatedEvents {
   }
 
   /// One step from `t` to `end` in as many pieces as there are phases in it. `step(law, t, state,
-  /// dt)` is a stepping method (integrators.hpp) that carries nothing from step to step. Steps are
+  /// dt)` is a stepping method that carries nothing from step to step. Steps are
   /// given by both their ends, because the next one must begin exactly where this one ended: tiny
   /// gaps between 1e5 steps would add up.
   template <class Step>

@@ -4,8 +4,8 @@
 
 namespace bounce {
 
-/// The contacts of a scene with one ball, in the form that `Reference` (reference.hpp) asks for.
-/// `Phases` is a type like BouncePhases (closed_form.hpp); of a touch only its law is used.
+/// The contacts of a scene with one ball, in the form that `Reference` (reference_walk.hpp) asks
+/// for. `Phases` is a type like BouncePhases (closed_form.hpp); of a touch only its law is used.
 template <class Phases, class Vector>
 class OneBallContacts {
  public:

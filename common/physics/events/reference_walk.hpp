@@ -16,12 +16,11 @@ namespace bounce {
 ///
 /// `Contacts` tells what touches, and how: see ContactsFor in concepts.hpp.
 template <class Contacts, class Vector>
-requires ContactsFor<Contacts, Vector>
 class Reference {
  public:
   /// The first step that it tries is `first_step` [s], or 0: what suits the fastest contact.
   Reference(const Contacts& contacts, double t, const State<Vector>& state, double tolerance,
-            double first_step = 0)
+            double first_step = 0) requires ContactsFor<Contacts, Vector>
       : contacts_(contacts),
         t_(t),
         state_(state),

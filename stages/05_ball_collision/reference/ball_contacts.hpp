@@ -12,7 +12,7 @@
 
 namespace bounce {
 
-/// Who touches whom among many balls, in the form that `Reference` (physics/reference.hpp) asks
+/// Who touches whom among many balls, in the form that `Reference` (reference_walk.hpp) asks
 /// for. There is no formula for a contact off centre, nor for three balls that touch at a time; but
 /// as long as nobody new touches and nobody lets go, the law is smooth.
 ///

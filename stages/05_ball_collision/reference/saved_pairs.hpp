@@ -19,7 +19,7 @@ inline std::vector<double> as_numbers(const std::vector<ContactPair>& held) {
   return numbers;
 }
 
-/// The same back again, in order; nothing where the numbers fit no `balls` balls.
+/// The same back again, in order; nothing where the numbers do not fit so many balls.
 inline std::optional<std::vector<ContactPair>> pairs_from_numbers(std::span<const double> numbers,
                                                                   Eigen::Index balls) {
   std::vector<ContactPair> held;

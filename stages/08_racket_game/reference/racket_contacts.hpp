@@ -11,9 +11,9 @@
 
 namespace bounce {
 
-/// The contacts of ball and racket in the form that `Reference` (reference.hpp) asks for, face and
-/// rim. InRimPlane from a racket in uniform motion that does not turn: positions and velocities
-/// count from its centre, and the racket rests.
+/// The contacts of ball and racket in the form that `Reference` (reference_walk.hpp) asks for, face
+/// and rim. Seen from a racket in uniform motion that does not turn: positions and velocities count
+/// from its centre, and the racket rests.
 class RacketContacts {
  public:
   using Ball = State<Eigen::Vector3d>;
