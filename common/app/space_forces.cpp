@@ -58,6 +58,7 @@ void draw_forces(Canvas& canvas, const Camera& camera, const Playback& playback,
 
   // A contact is over in two frames: its largest force stays in sight where it was.
   Forces<Vector3d> peak{};
+  peak.spring.setZero();  // Eigen leaves it as it was in memory
   Vector3d place = state.position;
   double age = peak_hold;
   for (auto point = playback.trace().rbegin(); point != playback.trace().rend(); ++point) {
