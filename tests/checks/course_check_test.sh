@@ -86,7 +86,7 @@ run 0 check 1 --report "$BOUNCE_MINE/report.json"
 
 # Whatever one file does, each stage has its row.
 cmake -DBASE="$top/stages/01_free_fall/free_fall.hpp" -DPIECES="$top/tests/mistakes/endings/vector_without_end.hpp" \
-  -DOUT="$mine" -P "$top/tests/mistakes/splice.cmake"
+  -DOUT="$mine" -P "$top/tests/checks/splice.cmake"
 echo 'int x = "";' >>"$BOUNCE_MINE/02_spring_floor/mine.hpp"
 run 1 check --report "$BOUNCE_MINE/report.json"
 out=$(cat "$BOUNCE_MINE/report.json")
@@ -132,7 +132,7 @@ play1() { # play1 TEXT: stage 1 on its own solution with this line at the end mu
 }
 cp "$top/stages/01_free_fall/free_fall.hpp" "$mine"
 run 0 play 1 --mine --headless --duration 1
-shows "01_free_fall: method=semi-implicit-euler"
+shows "01_free_fall: method=mine"
 play1 'int x = "";'
 shows "error: "
 play1 'double nowhere(double x); static const double at_start = nowhere(2);'
