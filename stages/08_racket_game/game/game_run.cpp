@@ -61,7 +61,7 @@ void GameRun::reset_state() {
   settings_.seed = seed();
   const int next = round_.number + (round_.score.lost ? 1 : 0);
   round_ = begin_round(settings_, next, round_.score.best);
-  pieces_ = 0;
+  more_pieces_ = 0;
   next_entry_ = 0;
   if (record_) note_settings();
   parameters_changed();
@@ -91,6 +91,7 @@ bool GameRun::take_steps(long long count, double /*t*/, double dt) {
 }
 
 void GameRun::one_step(double dt) {
+  --more_pieces_;  // this step itself
   if (replay_) {
     for (; next_entry_ < replay_->entries.size() &&
            replay_->entries[next_entry_].step <= round_.steps;
@@ -109,7 +110,7 @@ void GameRun::one_step(double dt) {
   const auto move_ball = [this](Racket& scene, Ball& ball, double h) {
     const RacketStep taken = method_.visit(
         [&](const auto& method) { return racket_step(method, scene, 0, ball, h, nullptr); });
-    pieces_ += taken.pieces;
+    more_pieces_ += taken.pieces;
     return taken.touches;
   };
   for (double part = 0; part < parts; ++part) step(settings_, round_, dt / parts, move_ball);

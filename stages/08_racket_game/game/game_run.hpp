@@ -52,7 +52,7 @@ class GameRun final : public Simulation {
   Energy energy() const override;
   EnergyAccount energy_account() const override { return {energy().total(), 0}; }
   long long counted_force_evaluations() const override {
-    return (pieces_ - steps()) * method().evaluations;
+    return more_pieces_ * method().evaluations;
   }
   std::vector<double> exact_values(double) const override { return {}; }
   std::optional<StateError> error() const override { return std::nullopt; }
@@ -83,7 +83,7 @@ class GameRun final : public Simulation {
   Settings settings_;
   Round round_;
   AnyMethod<Methods> method_;
-  long long pieces_ = 0;
+  long long more_pieces_ = 0;  // of contact, than there were steps
   std::shared_ptr<InputLog> record_;
   std::shared_ptr<const InputLog> replay_;
   std::size_t next_entry_ = 0;

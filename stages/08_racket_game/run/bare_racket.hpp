@@ -66,7 +66,7 @@ class BareRacketWorld {
   std::vector<Parameter> parameters() { return setup.parameters(); }
   Traits traits(const Simulation& simulation) const;
   Ball start(std::uint64_t /*seed*/) {
-    pieces_ = 0;
+    more_pieces_ = 0;
     return setup.start;
   }
   /// Chooses the side on which the ball is, and looks at it from the racket.
@@ -80,7 +80,7 @@ class BareRacketWorld {
   double go_towards(ReferenceBesideRacket& method, double t, long long most_events, Ball& ball);
   /// A step in contact is made of pieces.
   long long more_evaluations(const Simulation& simulation) const {
-    return (pieces_ - simulation.steps()) * simulation.method().evaluations;
+    return more_pieces_ * simulation.method().evaluations;
   }
 
   Energy energy(double t, const Ball& ball) const { return scene_now().energy(t, ball); }
@@ -106,7 +106,7 @@ class BareRacketWorld {
     through = scene.through;
   }
 
-  long long pieces_ = 0;
+  long long more_pieces_ = 0;  // of contact, than there were steps
   // When the energy book was opened, and the ball then
   double book_start_ = 0;  // s
   Ball ball_at_book_start_ = setup.start;
@@ -120,7 +120,7 @@ void BareRacketWorld::take_steps(Any& method, Ball& ball, long long count, doubl
   if (is_mine) {  // as it is seen from the ground, where the racket moves
     Racket scene = scene_now();
     for (long long i = 0; i < count; ++i) {
-      pieces_ += whole_step(Any{}, scene, t + static_cast<double>(i) * dt, ball, dt).pieces;
+      whole_step(Any{}, scene, t + static_cast<double>(i) * dt, ball, dt);
     }
     take_side_of(scene);
     seen_from_racket = from_racket(ball, t + static_cast<double>(count) * dt);
@@ -136,8 +136,10 @@ void BareRacketWorld::take_steps(Any& method, Ball& ball, long long count, doubl
     book.lost -= law.damper_power(now + h / 2, middle) * h;
   };
   for (long long i = 0; i < count; ++i) {
-    pieces_ += book.is_kept ? racket_step(method, scene, 0, seen_from_racket, dt, note).pieces
-                            : racket_step(method, scene, 0, seen_from_racket, dt, nullptr).pieces;
+    const RacketStep taken = book.is_kept
+                                 ? racket_step(method, scene, 0, seen_from_racket, dt, note)
+                                 : racket_step(method, scene, 0, seen_from_racket, dt, nullptr);
+    more_pieces_ += taken.pieces - 1;
   }
   take_side_of(scene);
   ball = from_ground(seen_from_racket, t + static_cast<double>(count) * dt);
