@@ -67,16 +67,18 @@ write 07_tilted_plane 's/force += push \* n;/force -= push * n;/'; differ 07_til
 
 # Stage 8 flies by formula and sees the racket at rest; on a learner's lines it does neither, so that these
 # are compared with the right lines there.
-eight=(--player none --set "racket_velocity=0.1,0.3,0" --set "position=0.45,1,0")
+eight=(--player none --set "racket_velocity=0.1,0.3,0")
+beside=("${eight[@]}" --set "position=0.45,1,0") # it misses a disc of the right size
 game=(--player autopilot)
 write 08_racket_game
-right=$(mine 08_racket_game "${eight[@]}") right_game=$(mine 08_racket_game "${game[@]}")
+right=$(mine 08_racket_game "${eight[@]}") right_beside=$(mine 08_racket_game "${beside[@]}") right_game=$(mine 08_racket_game "${game[@]}")
 [ "$(wc -l <<<"$right")" -gt 10 ] && [ "$(wc -l <<<"$right_game")" -gt 10 ] || fails "stage 8 does not run"
 wrong_eight() { # wrong_eight SED
   write 08_racket_game "$1"
   [ "$(mine 08_racket_game "${eight[@]}")" != "$right" ] || fails "stage 8, $1: the planted difference does not show"
 }
-wrong_eight 's/lateral < racket.radius/lateral < 2 * racket.radius/'
+write 08_racket_game 's/lateral < racket.radius/lateral < 2 * racket.radius/'
+[ "$(mine 08_racket_game "${beside[@]}")" != "$right_beside" ] || fails "stage 8: a disc twice as large changes nothing"
 wrong_eight 's/const Disc racket = disc_at(t);/const Disc racket = disc;/'
 wrong_eight 's/state.velocity - racket.velocity_of(point)/state.velocity/'
 wrong_eight 's/(0, -mass \* gravity, 0)/(0, -mass * gravity * 0.1, 0)/'
