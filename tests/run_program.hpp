@@ -21,6 +21,10 @@ std::string work_folder();
 /// One word of a shell's command line, whatever is in it: "'Anna'\\''s work'".
 std::string quoted(const std::string& word);
 
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 /// A whole file; empty when it is not there.
 std::string read_file(const std::string& path);
 

@@ -41,18 +41,6 @@ Vector3d target(const Playback& playback, const BallInSpace& ball, double zoom) 
   return ball.look_at + excess * way + Vector3d(0, 0.3 * (zoom - 1), 0);
 }
 
-Camera camera_for(const Playback& playback, const BallInSpace& ball, Rect area, bool from_above) {
-  const double zoom = zoom_out(playback, ball);
-  const Vector3d look_at = target(playback, ball, zoom);
-  const double distance = ball.distance * zoom;
-  if (from_above) {  // from far away, where height hardly shifts a point in the picture: a map
-    const Vector3d eye = look_at + Vector3d(0, 20 * distance, 0);
-    return {eye, look_at, {0, 0, -1}, area, opening / 20};
-  }
-  const Vector3d direction = Vector3d(-0.10, 0.30, 0.95).normalized();
-  return {look_at + distance * direction, look_at, {0, 1, 0}, area, opening};
-}
-
 std::vector<Vector3d> path(const std::vector<TracePoint>& points) {
   std::vector<Vector3d> all;
   for (const TracePoint& point : points) all.push_back(position_in(point.values));
@@ -104,6 +92,18 @@ void draw_scene(Canvas& canvas, const Playback& playback, const View& view, cons
 }
 
 }  // namespace
+
+Camera camera_for(const Playback& playback, const BallInSpace& ball, Rect area, bool from_above) {
+  const double zoom = zoom_out(playback, ball);
+  const Vector3d look_at = target(playback, ball, zoom);
+  const double distance = ball.distance * zoom;
+  if (from_above) {  // from far away, where height hardly shifts a point in the picture: a map
+    const Vector3d eye = look_at + Vector3d(0, 20 * distance, 0);
+    return {eye, look_at, {0, 0, -1}, area, opening / 20};
+  }
+  const Vector3d direction = Vector3d(-0.10, 0.30, 0.95).normalized();
+  return {look_at + distance * direction, look_at, {0, 1, 0}, area, opening};
+}
 
 void draw_space_view(Canvas& canvas, const Playback& playback, const View& view,
                      const BallInSpace& ball) {

@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <functional>
 
+#include "app/camera.hpp"
 #include "app/canvas.hpp"
 #include "app/demo.hpp"
 #include "app/playback.hpp"
@@ -24,6 +25,9 @@ struct BallInSpace {
   double room = 1.3;                        // the camera follows a ball further away than this [m]
   double distance = 4.3;                    // of the camera from what it looks at [m]
 };
+
+/// What looks at it, in that part of the window.
+Camera camera_for(const Playback& playback, const BallInSpace& ball, Rect area, bool from_above);
 
 /// The scene of stages 4 and 7 in perspective, and small in a corner the same scene from straight
 /// above; `View::from_above` exchanges the two.

@@ -1,21 +1,21 @@
-// The window with many balls: fast enough, and bounded in what it remembers.
+// The window with many balls: bounded in what it computes and remembers.
 
 #include <doctest/doctest.h>
-
-#include <ctime>
 
 #include "05_ball_collision/picture/balls_picture.hpp"
 #include "05_ball_collision/run/balls_world.hpp"
 #include "app/window.hpp"
+#include "run_with.hpp"
 
 using namespace bounce;
+using test::set;
 
 namespace {
 
 std::unique_ptr<BallsRun> falling_balls(const std::string& count) {
   auto balls = std::make_unique<BallsRun>();
-  find_parameter(balls->parameters(), "scene").set("drop");
-  find_parameter(balls->parameters(), "count").set(count);
+  set(*balls, "scene", "drop");
+  set(*balls, "count", count);
   balls->restart();
   return balls;
 }
@@ -32,66 +32,15 @@ Demo balls_demo() {
 
 }  // namespace
 
-/// Processor time of a frame [s] in a small window of the software renderer, physics and picture.
-struct CpuCost {
-  double physics, picture;
-};
-
-CpuCost frame_cost(const std::string& count, int frames) {
-  const Demo demo = balls_demo();
-  Window window(demo, falling_balls(count), Options{}, false);
-  window.resize(640, 360);
-  window.playback().budget = Playback::frame_budget;  // as where somebody looks
-  double drawing = 0, all = 0;
-  for (int i = 0; i < frames; ++i) {
-    // The processor's time, not the clock on the wall: others may be using this machine.
-    const std::clock_t begin = std::clock();
-    const auto since = [begin] {
-      return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-    };
-    window.tick(0);  // the picture alone (and a copy for scrubbing)
-    drawing += since();
-    window.tick(1.0 / 60);
-    all += since();
-  }
-  const CpuCost cost{(all - 2 * drawing) / frames, drawing / frames};
-  MESSAGE(count, " balls, ms a frame: physics ", cost.physics * 1e3, ", picture ",
-          cost.picture * 1e3);
-  return cost;
-}
-
-TEST_CASE("1,000 balls: more than 30 frames a second in the software renderer") {
-  [[maybe_unused]] const CpuCost cost =
-      frame_cost("1000", 90);  // 1.5 s: they have fallen and lie in the tray
-#ifdef NDEBUG
-  CHECK(cost.physics + cost.picture < 1.0 / 30);
-#endif
-}
-
-TEST_CASE("10,000 balls: 8 frames a second in the software renderer") {
-  [[maybe_unused]] const CpuCost cost = frame_cost("10000", 60);
-#ifdef NDEBUG
-  CHECK(cost.physics + cost.picture < 1.0 / 8);
-#endif
-}
-
-TEST_CASE("10,000 balls, steps of 0.1 ms: a frame's physics takes no longer than it may") {
+TEST_CASE("10,000 balls, steps of 0.1 ms: a frame computes for as long as it may, and no longer") {
   auto balls = falling_balls("10000");
   balls->use_dt(1e-4);
-  Playback playback(std::move(balls));
-  playback.frame(1.0 / 60);  // the first one makes the lists
-  const std::clock_t begin = std::clock();
+  double now = 0;
+  Playback playback(std::move(balls), [&now] { return now += 0.02; });  // a look takes all it may
   constexpr int frames = 20;
   for (int i = 0; i < frames; ++i) playback.frame(1.0 / 60);
-  const double spent = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / frames;
-  MESSAGE("ms of physics a frame: ", spent * 1e3, ", pace ", playback.pace());
-  CHECK(playback.simulation().steps() >= frames);  // it does go on
-  // 12 ms, one step more (3 ms), the point of the trace and the copy for scrubbing. A frame needs
-  // 167 steps, half a second, to keep up.
-  [[maybe_unused]] const double allowed = 0.03;
-#ifdef NDEBUG
-  CHECK(spent < allowed);
-#endif
+  CHECK(playback.simulation().steps() >= frames);       // it does go on
+  CHECK(playback.simulation().steps() <= 42 * frames);  // a quarter of the frame's 167 steps
   CHECK(playback.pace() < 1);
 }
 
@@ -146,7 +95,7 @@ TEST_CASE("the trace of many balls drops old positions, and keeps time and energ
   Playback playback(
       falling_balls("5000"));  // 4e6 / 35000: the last 114 points keep their positions
   for (int i = 0; i < 130; ++i) playback.step_forward();
-  CHECK(playback.trace().size() == 131);
+  CHECK(playback.trace().front().t == 0);
   CHECK(playback.trace().front().values.empty());
   CHECK(playback.trace().front().energy.gravitational > 0);
   CHECK(playback.trace().back().values.size() == 35000);

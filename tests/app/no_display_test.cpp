@@ -5,6 +5,7 @@
 #include "run_program.hpp"
 
 using namespace bounce;
+using test::contains;
 using test::Outcome;
 using test::run_program;
 using test::run_program_with;
@@ -12,10 +13,6 @@ using test::run_program_with;
 namespace fs = std::filesystem;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 bool is_png(const std::string& path) { return test::read_file(path).substr(0, 4) == "\x89PNG"; }
 

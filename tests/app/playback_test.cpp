@@ -7,9 +7,11 @@
 
 #include "03_damping/exact.hpp"
 #include "floating_point_traps.hpp"
+#include "run_with.hpp"
 #include "stages/scene_simulations.hpp"
 
 using namespace bounce;
+using test::set;
 
 namespace {
 
@@ -59,12 +61,7 @@ TEST_CASE("a stall of 30 s moves on by 0.1 s, and does not explode") {
 }
 
 TEST_CASE("where computing is slower than the clock, time runs slower, with the same steps") {
-  struct Slow {
-    double dt;
-    double steps;  // that a frame gets done: the clock is looked at after 1000, and 4 times a frame
-  };
-  for (const Slow& slow : {Slow{1e-6, 1000}, Slow{1e-7, 1000}, Slow{1e-5, 417}}) {
-    const double dt = slow.dt, steps = slow.steps;
+  for (const double dt : {1e-5, 1e-6, 1e-7}) {
     auto run = std::make_unique<DampedRun>();
     run->use_dt(dt);
     double now = 0;
@@ -73,7 +70,9 @@ TEST_CASE("where computing is slower than the clock, time runs slower, with the 
     for (int i = 0; i < 120; ++i) playback.frame(frame);
     CAPTURE(dt);
     CHECK(playback.trouble().empty());
-    CHECK(std::abs(static_cast<double>(playback.simulation().steps()) / 120 - steps) < 0.51);
+    const double steps = static_cast<double>(playback.simulation().steps()) / 120;  // a frame
+    CHECK(steps >= 1);
+    CHECK(steps * dt < frame / 2);
     CHECK(playback.shown_time() == doctest::Approx(playback.simulation().time()).epsilon(1e-3));
     // A mean over half a second, which began at 1 two seconds ago: the rest of that is e^-4.
     CHECK(std::abs(playback.pace() - steps * dt / frame) < 0.02);
@@ -177,11 +176,11 @@ TEST_CASE("a run that explodes stops with a sentence and no NaN in sight") {
   auto run = std::make_unique<DampedRun>();
   const test::WithoutTraps it_explodes;
   // c dt / m = 1e70: see the command line's test.
-  find_parameter(run->parameters(), "damping").set("1e30");
-  find_parameter(run->parameters(), "velocity").set("-1");
-  find_parameter(run->parameters(), "mass").set("1e-30");
-  find_parameter(run->parameters(), "stiffness").set("1e30");
-  find_parameter(run->parameters(), "position").set("0.05");
+  set(*run, "damping", "1e30");
+  set(*run, "velocity", "-1");
+  set(*run, "mass", "1e-30");
+  set(*run, "stiffness", "1e30");
+  set(*run, "position", "0.05");
   run->use_method(methods::rk4);
   run->use_dt(1e10);
   run->restart();
@@ -197,7 +196,7 @@ TEST_CASE("a run that explodes stops with a sentence and no NaN in sight") {
 TEST_CASE("a parameter that is changed in the middle starts the comparison anew from there") {
   Playback playback = playback_with(1e-3, methods::rk4);
   play(playback, 0.44);  // in contact: the stored energy jumps with the stiffness
-  playback.change([](Simulation& s) { find_parameter(s.parameters(), "stiffness").set("40000"); });
+  playback.change([](Simulation& s) { set(s, "stiffness", "40000"); });
   CHECK(playback.simulation().energy_account().before == playback.simulation().energy().total());
   CHECK(playback.simulation().error()->position == 0);
   play(playback, 0.3);

@@ -72,8 +72,9 @@ TEST_CASE("a gap takes the place of a part of its stage's file, asks for it, and
     const auto taught = parts_of(course_header(stage.filename().string()));
     const auto gaps = parts_of(read_file((stage / "gaps.hpp").string()));
     CHECK(!gaps.empty());
-    for (const auto& [name, gap] : gaps) {
-      CAPTURE(name);
+    for (const auto& part : gaps) {
+      const auto& [name, gap] = part;
+      CAPTURE(part.first);
       REQUIRE(taught.count(name) == 1);
       CHECK(has(gap, "YOUR TURN"));
       CHECK(has(gap, "Must hold: "));

@@ -11,12 +11,14 @@
 #include "07_tilted_plane/exact.hpp"
 #include "physics/events/event_driven.hpp"
 #include "run_program.hpp"
+#include "run_with.hpp"
 #include "stages/methods.hpp"
 #include "stages/scene_simulations.hpp"
 
 using namespace bounce;
 using Eigen::Vector3d;
 using test::run_program;
+using test::set;
 
 namespace {
 
@@ -38,7 +40,7 @@ EventDriven<DampingExact> exact_of(const Damping& scene, double t = 0) {
 }
 
 void set(Simulation& run, const std::string& name, double value) {
-  find_parameter(run.parameters(), name).set(to_text(value));
+  test::set(run, name, to_text(value));
 }
 
 double number_after(const std::string& text, const std::string& word) {
@@ -224,7 +226,7 @@ TEST_CASE("hard case: at 1e7 m the ball moves as it does at 0, to the spacing of
   const double far = 1e7, spacing = 1.862645149230957e-9;  // of doubles at 1e7
   for (const Method method : every_method) {
     Run4 here, there;
-    find_parameter(there.parameters(), "position").set("1e7,1,-1e7");
+    set(there, "position", "1e7,1,-1e7");
     for (Run4* run : {&here, &there}) {
       run->use_method(method);
       run->use_dt(1e-3);
@@ -251,9 +253,9 @@ TEST_CASE(
     OneBallRun<TiltedPlane, TiltedPlaneExact> here, there;
     for (auto* run : {&here, &there}) {
       const std::string shift = run == &there ? "1e7" : "0";  // level, and so along the plane
-      find_parameter(run->parameters(), "normal").set(to_text(tilt) + ",1,0");
-      find_parameter(run->parameters(), "position").set("0,1," + shift);
-      find_parameter(run->parameters(), "velocity").set("0.3,0,0.7");
+      set(*run, "normal", to_text(tilt) + ",1,0");
+      set(*run, "position", "0,1," + shift);
+      set(*run, "velocity", "0.3,0,0.7");
       run->use_method(methods::exact);
       run->restart();
     }

@@ -11,6 +11,7 @@
 #include "sanitizers.hpp"
 
 using namespace bounce;
+using test::contains;
 using test::run_program;
 
 namespace {
@@ -23,10 +24,6 @@ std::string refusal(Simulation& simulation, const Simulation::Memory& memory) {
     return error.what();
   }
   return "";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace

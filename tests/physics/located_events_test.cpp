@@ -14,25 +14,20 @@
 #include "04_three_dimensions/exact.hpp"
 #include "07_tilted_plane/exact.hpp"
 #include "physics/methods/stepping_methods.hpp"
+#include "run_with.hpp"
 #include "stages/methods.hpp"
 #include "stages/scene_simulations.hpp"
 
 using namespace bounce;
+using test::set;
 
 namespace {
 
 using DampedRun = OneBallRun<Damping, DampingExact>;
 
 DampedRun run_of(double damping, const char* contact, Method method, double dt) {
-  DampedRun run;
-  for (const Parameter& parameter : run.parameters()) {
-    if (parameter.name == "damping") parameter.set(std::to_string(damping));
-    if (parameter.name == "contact") parameter.set(contact);
-  }
-  run.restart();
-  run.use_method(method);
-  run.use_dt(dt);
-  return run;
+  return test::run_with<DampedRun>({{"damping", to_text(damping)}, {"contact", contact}}, method,
+                                   dt);
 }
 
 double worst_error(DampedRun run, double t_end) {
@@ -187,7 +182,7 @@ TEST_CASE("a ball that has come to rest is moved in whole steps") {
   // each step into four for ever, because the ball rests only 1 mm deep.
   for (const Method method : {methods::rk4_events, methods::flight_rk4}) {
     OneBallRun<Damping, DampingExact> run;
-    find_parameter(run.parameters(), "damping").set("500");
+    set(run, "damping", "500");
     run.use_method(method);
     run.use_dt(5e-3);
     run.restart();

@@ -14,6 +14,7 @@
 #include "03_damping/exact.hpp"
 #include "physics/reference_values.hpp"
 #include "run_program.hpp"
+#include "run_with.hpp"
 #include "stages/methods.hpp"
 #include "stages/scene_simulations.hpp"
 
@@ -24,13 +25,8 @@ namespace {
 using DampedRun = OneBallRun<Damping, DampingExact>;
 
 DampedRun run_of(double damping, const char* contact, double tolerance) {
-  DampedRun run;
-  for (const Parameter& parameter : run.parameters()) {
-    if (parameter.name == "damping") parameter.set(std::to_string(damping));
-    if (parameter.name == "contact") parameter.set(contact);
-  }
-  run.restart();
-  run.use_method(methods::reference);
+  DampedRun run = test::run_with<DampedRun>({{"damping", to_text(damping)}, {"contact", contact}},
+                                            methods::reference);
   run.use_tolerance(tolerance);
   return run;
 }

@@ -10,6 +10,7 @@
 #include "run_program.hpp"
 
 using namespace bounce;
+using test::contains;
 using test::Outcome;
 using test::run_program;
 
@@ -23,10 +24,6 @@ std::string balls_file(const std::string& text) {
       "/tmp/bounce_balls_" + std::to_string(std::hash<std::string>{}(text)) + ".csv";
   std::ofstream(path, std::ios::binary) << text;
   return path;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 const std::string header = "mass,radius,x,y,z,vx,vy,vz\n";

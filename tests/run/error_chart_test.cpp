@@ -10,9 +10,11 @@
 #include "01_free_fall/exact.hpp"
 #include "03_damping/exact.hpp"
 #include "05_ball_collision/run/balls_world.hpp"
+#include "run_with.hpp"
 #include "stages/scene_simulations.hpp"
 
 using namespace bounce;
+using test::set;
 
 namespace {
 
@@ -104,7 +106,7 @@ TEST_CASE("the error chart of two balls compares with the reference, for four to
     CHECK(dots.back().error > 1e-12);  // without located events the touch costs accuracy
   }
   BallsRun crowd;
-  find_parameter(crowd.parameters(), "scene").set("break");
+  set(crowd, "scene", "break");
   crowd.restart();
   ErrorChart none;
   none.follow(crowd, 0);

@@ -14,6 +14,7 @@
 #include "run_program.hpp"
 
 using namespace bounce;
+using test::contains;
 using test::Outcome;
 using test::run_program;
 
@@ -23,10 +24,6 @@ namespace fs = std::filesystem;
 
 const std::string program = "05_ball_collision ";
 const std::string verlet = "--method velocity-verlet --dt 1e-4 --duration 0.1 ";
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 std::size_t files_left() {
   return static_cast<std::size_t>(std::distance(fs::directory_iterator(test::work_folder()), {}));

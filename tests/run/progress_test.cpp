@@ -24,12 +24,9 @@
 extern char** environ;
 
 using namespace bounce;
+using test::contains;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// False, and said, on a system that has no pseudo-terminals (a bare chroot).
 bool has_terminals() {

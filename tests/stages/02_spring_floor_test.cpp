@@ -23,6 +23,7 @@ NamedMethod<SpringFloor> method(const std::string& name) {
 
 struct Band {
   double lowest = 1e9, highest = 0;
+  double largest_change = 0;  // of a top's height above the touch, from bounce to bounce, relative
 };
 
 /// The heights of the tops of `bounces` bounces. The top lies between two steps: from the step
@@ -31,6 +32,7 @@ Band apex_band(const SpringFloor& scene, const std::string& name, double dt, int
   State<double> state = scene.start;
   const auto step = method(name).make();
   Band band;
+  double last = scene.start.position;
   for (long i = 0; bounces > 0; ++i) {
     const State<double> before = state;
     step(scene, static_cast<double>(i) * dt, state, dt);
@@ -38,6 +40,9 @@ Band apex_band(const SpringFloor& scene, const std::string& name, double dt, int
       const double top = before.position + before.velocity * before.velocity / (2 * scene.gravity);
       band.lowest = std::min(band.lowest, top);
       band.highest = std::max(band.highest, top);
+      const double change = std::abs(top - last) / (last - scene.radius);
+      band.largest_change = std::max(band.largest_change, change);
+      last = top;
       --bounces;
     }
   }
@@ -96,27 +101,27 @@ TEST_CASE("stage 2: greatest overlap and contact time, with gravity, against the
   }
 }
 
-TEST_CASE(
-    "stage 2: a perfect spring bounces for ever, in a band that depends on dt and does not drift") {
+TEST_CASE("stage 2: with a perfect spring no bounce gains much, and 3000 of them do not climb") {
+  // In flight and in contact the loop keeps an energy of its own, H - dt/2 v dV/dy (backward error
+  // analysis: Hairer, Lubich, Wanner, Geometric Numerical Integration, IX.3). A step that crosses
+  // the touch and ends d deep changes it by k d (d - u dt) / 2, where d lies between 0 and the way
+  // u dt of one step: by at most k (u dt)^2 / 8, which is (w dt)^2 / 4 of m u^2 / 2. The touch only
+  // takes and the lift-off only gives, so no bounce changes more. Velocity Verlet walks the same
+  // path, half a kick later. None of these steps divides the contact time.
   const SpringFloor scene;
-  const Band coarse = apex_band(scene, "semi-implicit-euler", 1e-3, 3000);
-  CHECK(coarse.lowest == doctest::Approx(0.9958).epsilon(1e-4));
-  CHECK(coarse.highest == doctest::Approx(1.0470).epsilon(1e-4));
-  const Band fine = apex_band(scene, "semi-implicit-euler", 1e-4, 3000);
-  CHECK(fine.lowest > 0.99995);
-  CHECK(fine.highest < 1.00015);
-  const Band verlet = apex_band(scene, "velocity-verlet", 5e-4, 3000);
-  CHECK(verlet.highest < 1.023);
-  CHECK(verlet.lowest > 0.97);
-  // Not at one lucky step: omega0 dt from 0.012 to 0.09, none of them a divisor of the contact
-  // time. One bounce is off by about (omega0 dt)^2 / 8 (stability test); 3000 of them wander, they
-  // do not climb.
-  for (const double dt : {0.9e-3, 0.37e-3, 0.12e-3}) {
-    const Band band = apex_band(scene, "semi-implicit-euler", dt, 3000);
-    const double w = 100 * dt;
-    CAPTURE(dt);
-    CHECK(band.highest < 1 + 10 * w * w);
-    CHECK(band.lowest > 1 - 10 * w * w);
+  for (const std::string name : {"semi-implicit-euler", "velocity-verlet"}) {
+    for (const double dt : {1e-3, 0.9e-3, 0.37e-3, 0.12e-3}) {
+      const double w2 = scene.stiffness / scene.mass * dt * dt;
+      const Band band = apex_band(scene, name, dt, 3000);
+      CAPTURE(name);
+      CAPTURE(dt);
+      CHECK(band.largest_change < w2 / 4 * (1 + std::sqrt(w2)));
+      CHECK(band.largest_change > w2 / 16);  // it is no better than that, either
+      // 3000 such changes in one direction would be 750 w2; in random directions they are a
+      // hundredth.
+      CHECK(band.highest < 1 + 10 * w2);
+      CHECK(band.lowest > 1 - 10 * w2);
+    }
   }
 }
 

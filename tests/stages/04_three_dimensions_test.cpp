@@ -14,10 +14,13 @@
 #include "04_three_dimensions/three_dimensions.hpp"
 #include "run/save_load.hpp"
 #include "run_program.hpp"
+#include "run_with.hpp"
 #include "stages/scene_simulations.hpp"
 
 using namespace bounce;
 using Eigen::Vector3d;
+using test::run_with;
+using test::set;
 
 namespace {
 
@@ -32,12 +35,8 @@ const std::vector<Method> stepping{methods::explicit_euler, methods::semi_implic
 
 /// A run that stands at `start`.
 Run4 run_from(const State<Vector3d>& start, Method method, double dt, ContactLaw law) {
-  Run4 run;
-  find_parameter(run.parameters(), "contact")
-      .set(law == ContactLaw::may_pull ? "may-pull" : "push-only");
-  run.use_method(method);
-  run.use_dt(dt);
-  run.restart();
+  const char* contact = law == ContactLaw::may_pull ? "may-pull" : "push-only";
+  Run4 run = run_with<Run4>({{"contact", contact}}, method, dt);
   run.place({start.position.x(), start.position.y(), start.position.z(), start.velocity.x(),
              start.velocity.y(), start.velocity.z()});
   return run;
@@ -52,8 +51,7 @@ TEST_CASE("stage 4: without sideways velocity it is stage 3, to the bit") {
     for (const Method method : methods) {
       for (const double dt : steps_sizes) {
         Run3 line;
-        find_parameter(line.parameters(), "contact")
-            .set(law == ContactLaw::may_pull ? "may-pull" : "push-only");
+        set(line, "contact", law == ContactLaw::may_pull ? "may-pull" : "push-only");
         line.use_method(method);
         line.use_dt(dt);
         line.restart();
@@ -139,7 +137,7 @@ TEST_CASE("stage 4: flight is a parabola") {
   for (const Method method : stepping) {
     for (const double dt : steps_sizes) {
       Run4 run;
-      find_parameter(run.parameters(), "floor").set("off");
+      set(run, "floor", "off");
       run.use_method(method);
       run.use_dt(dt);
       run.restart();
@@ -169,9 +167,9 @@ TEST_CASE("stage 4: exact is stage 3's exact upwards, and uniform motion sideway
   for (const char* contact : {"may-pull", "push-only"}) {
     Run3 line;
     Run4 space;
-    find_parameter(line.parameters(), "contact").set(contact);
-    find_parameter(space.parameters(), "contact").set(contact);
-    find_parameter(space.parameters(), "velocity").set("1,0,0.5");
+    set(line, "contact", contact);
+    set(space, "contact", contact);
+    set(space, "velocity", "1,0,0.5");
     for (Simulation* run : {static_cast<Simulation*>(&line), static_cast<Simulation*>(&space)}) {
       run->use_method(methods::exact);
       run->restart();
@@ -220,7 +218,7 @@ TEST_CASE("stage 4: a saved run goes on as if it had not stopped") {
   for (const Method method :
        {methods::semi_implicit_euler, methods::velocity_verlet, methods::rk4, methods::exact}) {
     Run4 whole;
-    find_parameter(whole.parameters(), "position").set("0.1,0.9,-0.3");
+    set(whole, "position", "0.1,0.9,-0.3");
     whole.use_method(method);
     whole.restart();
     whole.advance_to(0.4271);  // in the middle of a contact, and of a step

@@ -13,9 +13,11 @@
 #include "06_oscillating_floor/exact/exact.hpp"
 #include "methods.hpp"
 #include "run_program.hpp"
+#include "run_with.hpp"
 #include "stages/scene_simulations.hpp"
 
 using namespace bounce;
+using test::set;
 
 namespace {
 
@@ -314,8 +316,8 @@ TEST_CASE("stage 6: who looks at a run does not change it, and a saved run goes 
     for (const char* law : {"relative", "absolute", "fixed-switch"}) {
       const auto fresh = [&] {
         FloorRun run;
-        find_parameter(run.parameters(), "floor_law").set(law);
-        find_parameter(run.parameters(), "contact").set("push-only");
+        set(run, "floor_law", law);
+        set(run, "contact", "push-only");
         run.use_method(method);
         run.restart();
         return run;

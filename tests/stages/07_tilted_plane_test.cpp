@@ -13,10 +13,14 @@
 #include "07_tilted_plane/exact.hpp"
 #include "07_tilted_plane/tilted_plane.hpp"
 #include "run_program.hpp"
+#include "run_with.hpp"
 #include "stages/scene_simulations.hpp"
 
 using namespace bounce;
 using Eigen::Vector3d;
+using test::run_with;
+using test::text;
+using test::Values;
 
 namespace {
 
@@ -28,21 +32,6 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double g = 9.81;
 const std::vector<Method> all_methods{methods::explicit_euler, methods::semi_implicit_euler,
                                       methods::velocity_verlet, methods::rk4, methods::exact};
-
-using Settings = std::vector<std::pair<std::string, std::string>>;
-
-/// A run from the start that the settings give.
-template <class Run>
-Run run_with(const Settings& settings, Method method, double dt = 1e-3) {
-  Run run;
-  for (const auto& [name, value] : settings) find_parameter(run.parameters(), name).set(value);
-  run.use_method(method);
-  run.use_dt(dt);
-  run.restart();
-  return run;
-}
-
-std::string text(const Vector3d& vector) { return to_text(components(vector)); }
 
 /// Unit normals: level, tilted along x, along both, steep, and a wall.
 const std::vector<Vector3d> normals{
@@ -219,9 +208,9 @@ TEST_CASE("stage 7: a level plane through 0 is stage 4, to the bit") {
     for (const char* contact : {"may-pull", "push-only"}) {
       for (const Method method : all_methods) {
         for (const double dt : {1e-2, 1e-3, 1e-4}) {
-          const Settings shared{
+          const Values shared{
               {"position", "0.1,1,-0.3"}, {"velocity", "1,0.2,0.5"}, {"contact", contact}};
-          Settings tilted = shared;
+          Values tilted = shared;
           tilted.push_back({"normal", normal});
           Run4 level = run_with<Run4>(shared, method, dt);
           Run7 plane = run_with<Run7>(tilted, method, dt);
@@ -290,9 +279,9 @@ TEST_CASE("stage 7: a plane may hang over the ball") {
   for (const double c : {0.0, 5.0, 500.0}) {  // elastic, under-damped, over-damped
     for (const char* contact : {"may-pull", "push-only"}) {
       for (const char* normal : {"0,-1,0", "0.6,-0.8,0"}) {
-        const Settings settings{{"normal", normal},        {"offset", "1"},
-                                {"damping", to_text(c)},   {"contact", contact},
-                                {"position", "0.2,0.1,0"}, {"velocity", "0.1,5,0"}};
+        const Values settings{{"normal", normal},        {"offset", "1"},
+                              {"damping", to_text(c)},   {"contact", contact},
+                              {"position", "0.2,0.1,0"}, {"velocity", "0.1,5,0"}};
         const double dt = 1e-6;
         Run7 exact = run_with<Run7>(settings, methods::exact);
         Run7 steps = run_with<Run7>(settings, methods::rk4, dt);

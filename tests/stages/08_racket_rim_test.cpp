@@ -10,6 +10,7 @@
 #include "08_racket_game/racket_game.hpp"
 #include "08_racket_game/run/command_line.hpp"
 #include "run_program.hpp"
+#include "run_with.hpp"
 #include "stages/racket_reference_values.hpp"
 
 using namespace bounce;
@@ -25,7 +26,7 @@ BareRacketRun run_of(const std::string& settings, Method method, double toleranc
   std::istringstream words(settings);
   for (std::string word; words >> word;) {
     const std::size_t equals = word.find('=');
-    find_parameter(run.parameters(), word.substr(0, equals)).set(word.substr(equals + 1));
+    test::set(run, word.substr(0, equals), word.substr(equals + 1));
   }
   run.use_method(method);
   run.use_tolerance(tolerance);

@@ -24,7 +24,7 @@ struct Two {
   Two operator-(const Two& other) const { return {a - other.a, b - other.b}; }
   Two& operator+=(const Two& other) { return *this = *this + other; }
   Two& operator-=(const Two& other) { return *this = *this - other; }
-  friend Two operator*(double factor, const Two& two) { return two * factor; }
+  [[maybe_unused]] friend Two operator*(double factor, const Two& two) { return two * factor; }
 };
 struct LawOfTwo {
   check::LinearLaw law;
