@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
-#include <fstream>
 #include <string_view>
 #include <vector>
 
 #include "physics/text.hpp"
+#include "run/input_file.hpp"
 
 namespace bounce::many {
 namespace {
@@ -19,75 +18,54 @@ constexpr std::size_t absent = std::string::npos;
 
 class Dump {
  public:
-  Dump(std::string option, std::string path)
-      : option_(std::move(option)), path_(std::move(path)), file_(path_) {
-    std::error_code error;
-    if (!file_.is_open() || std::filesystem::is_directory(path_, error)) {
-      throw BadInput(option_ + " '" + path_ +
-                     "' is not allowed: it must be a file that can be read");
-    }
-  }
+  Dump(const std::string& option, const std::string& path) : file_(option, path) {}
 
   LammpsFrame last_frame() {
-    if (!next_line()) refuse("there is nothing: it must be a LAMMPS dump, dump custom as text");
+    if (!file_.next_line())
+      file_.refuse_line("there is nothing: it must be a LAMMPS dump, dump custom as text");
     do {
       read_frame();
-    } while (next_line());
+    } while (file_.next_line());
     return std::move(frame_);
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& why) const {
-    throw BadInput(option_ + " '" + path_ + "' is not allowed: line " + std::to_string(line_) +
-                   ": " + why);
-  }
-
-  bool next_line() {
-    ++line_;
-    if (!std::getline(file_, text_)) return false;
-    if (!text_.empty() && text_.back() == '\r') text_.pop_back();
-    return true;
-  }
-
   /// The header up to "ITEM: ATOMS id ...", then the rows. The first line has been read.
   void read_frame() {
     long long count = -1;
     bool has_step = false;
-    while (text_.rfind("ITEM: ATOMS", 0) != 0) {
-      if (text_.rfind("ITEM: ", 0) != 0) refuse("'" + text_.substr(0, 40) + "' should be an ITEM:");
-      if (text_ == "ITEM: TIMESTEP") {
-        frame_.step = read_count(0, 1e15);
+    while (text().rfind("ITEM: ATOMS", 0) != 0) {
+      if (text().rfind("ITEM: ", 0) != 0)
+        file_.refuse_line("'" + text().substr(0, 40) + "' should be an ITEM:");
+      if (text() == "ITEM: TIMESTEP") {
+        frame_.step = read_count("TIMESTEP", {0, 1e15});
         has_step = true;
-      } else if (text_ == "ITEM: NUMBER OF ATOMS") {
-        count = read_count(1, 1e9);
+      } else if (text() == "ITEM: NUMBER OF ATOMS") {
+        count = read_count("NUMBER OF ATOMS", {1, 1e9});
       } else {  // the box, the units, the time: not needed here
-        const int lines = text_.rfind("ITEM: BOX BOUNDS", 0) == 0 ? 3 : 1;
+        const int lines = text().rfind("ITEM: BOX BOUNDS", 0) == 0 ? 3 : 1;
         for (int i = 0; i < lines; ++i) need_line();
       }
       need_line();
     }
-    if (!has_step || count < 1) refuse("TIMESTEP and NUMBER OF ATOMS must come before ATOMS");
+    if (!has_step || count < 1)
+      file_.refuse_line("TIMESTEP and NUMBER OF ATOMS must come before ATOMS");
     find_columns();
     read_rows(count);
   }
 
   void need_line() {
-    if (!next_line()) refuse("the file ends in the middle of a frame");
+    if (!file_.next_line()) file_.refuse_line("the file ends in the middle of a frame");
   }
 
-  long long read_count(double lowest, double highest) {
+  long long read_count(const std::string& item, Range valid) {
     need_line();
-    const std::optional<double> number = parse_number(text_);
-    if (!number || *number < lowest || *number > highest) {
-      refuse("'" + text_ + "' must be a whole number from " + to_text(lowest) + " to " +
-             to_text(highest));
-    }
-    return static_cast<long long>(*number);
+    return file_.whole_number(item, text(), valid);
   }
 
   std::size_t split_words() {
     words_.clear();
-    const std::string_view text = text_;
+    const std::string_view text = this->text();
     for (std::size_t at = 0; (at = text.find_first_not_of(" \t", at)) != text.npos;) {
       const std::size_t end = std::min(text.find_first_of(" \t", at), text.size());
       words_.push_back(text.substr(at, end - at));
@@ -103,7 +81,8 @@ class Dump {
       place_[i] =
           found == words_.end() ? absent : static_cast<std::size_t>(found - words_.begin() - 2);
       if (place_[i] == absent && i < needed) {
-        refuse(std::string("column ") + names[i] + " is missing; there must be id x y z vx vy vz");
+        file_.refuse_line(std::string("column ") + names[i] +
+                          " is missing; there must be id x y z vx vy vz");
       }
     }
     // A force without all of its components is none.
@@ -119,13 +98,14 @@ class Dump {
       need_line();
       if (row == 0) make_room(size);  // for a number of balls of which there is at least one
       if (split_words() != columns_) {
-        refuse("there are " + std::to_string(words_.size()) + " values for " +
-               std::to_string(columns_) + " columns; there must be one for each");
+        file_.refuse_line("there are " + std::to_string(words_.size()) + " values for " +
+                          std::to_string(columns_) + " columns; there must be one for each");
       }
-      const double id = value(0, 1, static_cast<double>(count));
-      const auto ball = static_cast<Eigen::Index>(id) - 1;
-      if (static_cast<double>(ball + 1) != id) refuse("the id must be a whole number");
-      if (seen[static_cast<std::size_t>(ball)]) refuse("ball " + to_text(id) + " comes twice");
+      const long long id =
+          file_.whole_number("column id", words_[place_[0]], {1, static_cast<double>(count)});
+      const Eigen::Index ball = id - 1;
+      if (seen[static_cast<std::size_t>(ball)])
+        file_.refuse_line("ball " + std::to_string(id) + " comes twice");
       seen[static_cast<std::size_t>(ball)] = true;
       read_ball(ball);
     }
@@ -151,20 +131,13 @@ class Dump {
   }
 
   double value(std::size_t column, double lowest, double highest) const {
-    const std::string_view word = words_[place_[column]];
-    const std::optional<double> number = parse_number(word);
-    if (!number || *number < lowest || *number > highest) {
-      refuse(std::string("column ") + names[column] + ": '" + std::string(word) +
-             "' must be a number from " + to_text(lowest) + " to " + to_text(highest));
-    }
-    return *number;
+    return file_.number(std::string("column ") + names[column], words_[place_[column]],
+                        {lowest, highest});
   }
+  const std::string& text() const { return file_.line(); }
 
-  std::string option_, path_;
-  std::ifstream file_;
-  long long line_ = 0;
-  std::string text_;                     // of the line
-  std::vector<std::string_view> words_;  // of it
+  InputFile file_;
+  std::vector<std::string_view> words_;  // of the line
   std::size_t columns_ = 0;
   std::array<std::size_t, names.size()> place_{};  // of each column in a row
   LammpsFrame frame_;

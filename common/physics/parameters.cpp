@@ -5,6 +5,11 @@
 
 namespace bounce {
 
+std::string number_in(Range valid, const std::string& unit, bool is_whole) {
+  return std::string(is_whole ? "a whole number" : "a number") + " from " + to_text(valid.lowest) +
+         " to " + to_text(valid.highest) + (unit.empty() ? "" : " (" + unit + ")");
+}
+
 std::string Parameter::text() const {
   if (const auto* number = std::get_if<double*>(&value)) return to_text(**number);
   if (const auto* vector = std::get_if<Components>(&value)) return to_text(*vector);
@@ -14,12 +19,12 @@ std::string Parameter::text() const {
 
 std::string Parameter::allowed() const {
   if (const auto* choice = std::get_if<Choice>(&value)) return join(choice->names, " or ");
-  const std::string range = " from " + to_text(valid.lowest) + " to " + to_text(valid.highest);
   if (const auto* vector = std::get_if<Components>(&value)) {
-    return std::to_string(vector->size()) + " numbers" + range + ", separated by commas" +
+    return std::to_string(vector->size()) + " numbers from " + to_text(valid.lowest) + " to " +
+           to_text(valid.highest) + ", separated by commas" +
            (is_not_zero ? ", not all of them 0" : "");
   }
-  return (is_whole ? "a whole number" : "a number") + range;
+  return number_in(valid, "", is_whole);
 }
 
 bool Parameter::allows(std::span<const double> numbers) const {

@@ -19,6 +19,9 @@ struct Range {
   bool contains(double value) const { return lowest <= value && value <= highest; }
 };
 
+/// What a number must be, in words: "a whole number from 1 to 9", "a number from 0 to 1 (s)".
+std::string number_in(Range valid, const std::string& unit = "", bool is_whole = false);
+
 /// One of a few named values, such as contact = may-pull | push-only.
 struct Choice {
   std::vector<std::string> names;

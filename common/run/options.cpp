@@ -18,8 +18,7 @@ constexpr double most_rows = 1e8;
 double number(const std::string& option, const std::string& text, Range valid, const char* unit) {
   const std::optional<double> value = parse_number(text);
   if (value && valid.contains(*value)) return *value;
-  throw BadInput(option + " '" + text + "' is not allowed: it must be a number from " +
-                 to_text(valid.lowest) + " to " + to_text(valid.highest) + unit);
+  throw BadInput(option + " '" + text + "' is not allowed: it must be " + number_in(valid, unit));
 }
 
 void set_parameters(const std::vector<std::string>& settings, Simulation& simulation) {
@@ -77,19 +76,18 @@ double step_from(const std::string& text, const Simulation& simulation) {
 }
 
 void read_times(const Words& words, Options& options, double start) {
-  if (words.duration)
-    options.duration = number("--duration", *words.duration, {1e-15, 1e15}, " (s)");
+  if (words.duration) options.duration = number("--duration", *words.duration, {1e-15, 1e15}, "s");
   if (options.duration <= start) {
     throw BadInput("--duration " + to_text(options.duration) +
                    " is not allowed: the saved run stands at " + to_text(start) +
                    " s, and the duration counts from 0");
   }
-  if (words.sample) options.sample = number("--sample", *words.sample, {1e-15, 1e15}, " (s)");
+  if (words.sample) options.sample = number("--sample", *words.sample, {1e-15, 1e15}, "s");
   if (words.at) {
     if (options.sample > 0)
       throw BadInput("--at and --sample exclude each other: give one of them");
     for (const std::string& text : split(*words.at)) {
-      options.at.push_back(number("--at", text, {start, options.duration}, " (s, the --duration)"));
+      options.at.push_back(number("--at", text, {start, options.duration}, "s, the --duration"));
     }
     std::sort(options.at.begin(), options.at.end());
   }

@@ -4,12 +4,11 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <sstream>
 #include <string_view>
 
+#include "run/input_file.hpp"
 #include "run/output_file.hpp"
 
 namespace bounce {
@@ -34,9 +33,10 @@ std::string checksum(std::string_view text) {
   return hex.str();
 }
 
+constexpr const char* made_by = "it must be a file that --save wrote for this stage";
+
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {
-  throw BadInput("--load '" + path + "' is not allowed: " + why +
-                 "; it must be a file that --save wrote for this stage");
+  throw BadInput("--load '" + path + "' is not allowed: " + why + "; " + made_by);
 }
 
 /// Eight bytes a number, the lowest first on every machine.
@@ -73,8 +73,7 @@ double number_of(const std::string& path, const Lines& lines, const std::string&
   if (value && valid.contains(*value) && !(is_whole && *value != std::floor(*value))) return *value;
   refuse(path, "its " + name +
                    (found == lines.end() ? " is missing" : " is '" + found->second + "'") +
-                   ", and it must be a " + (is_whole ? "whole " : "") + "number from " +
-                   to_text(valid.lowest) + " to " + to_text(valid.highest));
+                   ", and it must be " + number_in(valid, "", is_whole));
 }
 
 /// The same for what is counted.
@@ -83,11 +82,15 @@ long long count_of(const std::string& path, const Lines& lines, const std::strin
 }
 
 std::string read_text(const std::string& path) {
-  if (!std::filesystem::is_regular_file(path)) refuse(path, "it is no file that can be read");
-  std::ifstream file(path, std::ios::binary);
-  std::string text(std::filesystem::file_size(path), ' ');
-  if (!file.read(text.data(), static_cast<std::streamsize>(text.size()))) {
-    refuse(path, "it must be a file that can be read");
+  std::string text = InputFile("--load", path, made_by).rest();
+  if (text.rfind("\xEF\xBB\xBF", 0) == 0) text.erase(0, 3);  // some editors' mark
+  // Another system's ends of lines, in a file without raw numbers.
+  if (text.find("\r\n") == text.find('\n') - 1) {
+    std::string unix_text;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      if (text[i] != '\r' || i + 1 == text.size() || text[i + 1] != '\n') unix_text += text[i];
+    }
+    text = unix_text;
   }
   return text;
 }
@@ -141,9 +144,7 @@ std::vector<double> numbers_from(const std::string& path, const Lines& lines,
       const std::optional<double> number = parse_number(word);
       if (!number) {
         refuse(path, "its state's number " + std::to_string(numbers.size() + 1) + " is '" + word +
-                         "', and it must be a number from " +
-                         to_text(Simulation::valid_number.lowest) + " to " +
-                         to_text(Simulation::valid_number.highest));
+                         "', and it must be " + number_in(Simulation::valid_number));
       }
       numbers.push_back(*number);
     }

@@ -150,9 +150,9 @@ TEST_CASE("a damaged dump is refused, with its line") {
       {header + columns + "1 0 1 0 nan 0 0\n2 0 2 0 0 0 0\n", "line 10: column vx: 'nan'"},
       {header + "ITEM: ATOMS id x y z vx vy\n", "line 9: column vz is missing"},
       {good + "ITEM: TIMESTEP\n", "line 13: the file ends"},
-      {"ITEM: TIMESTEP\nsoon\n", "line 2: 'soon'"},
+      {"ITEM: TIMESTEP\nsoon\n", "line 2: TIMESTEP: 'soon'"},
       {"ITEM: TIMESTEP\n1\nITEM: NUMBER OF ATOMS\n0\n",
-       "line 4: '0' must be a whole number from 1"},
+       "line 4: NUMBER OF ATOMS: '0' must be a whole number from 1"},
       {"ITEM: TIMESTEP\n1\nITEM: NUMBER OF ATOMS\n999999999\n" + columns, "line 6: the file ends"},
   };
   for (const auto& damaged : bad) {

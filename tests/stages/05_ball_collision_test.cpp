@@ -565,6 +565,17 @@ TEST_CASE("stage 5: a balls file is refused with its line and column") {
   CHECK(message_for(header + good) == "accepted");
   CHECK(message_for(header + good + good) == "accepted");  // coincident: deep overlap is allowed
   CHECK(message_for("radius, mass ,x,y,z,vx,vy,vz\r\n0.1,1,0,0,0,0,0,0\r\n\r\n") == "accepted");
+  // What spreadsheets and editors make of it.
+  for (const std::string& same :
+       {"mass;radius;x;y;z;vx;vy;vz\n1;0.1;0;0;0;0;0;0\n",
+        "mass\tradius\tx\ty\tz\tvx\tvy\tvz\n1\t0.1\t0\t0\t0\t0\t0\t0\n",
+        "\"Mass\",\"Radius\",\"X\",\"Y\",\"Z\",\"vX\",\"vY\",\"vZ\"\n1,0.1,0,0,0,0,0,0\n",
+        "# one ball\nmass,radius,x,y,z,vx,vy,vz\n1,0.1,0,0,0,0,0,0\n",
+        "\xEF\xBB\xBFmass,radius,x,y,z,vx,vy,vz,,\n1,0.1,0,0,0,0,0,0,,\n",
+        "mass,radius,x,y,z,vx,vy,vz\n,,,,,,,\n#1,2\n1,0.1,0,0,0,0,0,0\n\n,,,,,,,\n"}) {
+    INFO(same);
+    CHECK(message_for(same) == "accepted");
+  }
   struct Bad {
     std::string text;
     std::vector<std::string> says;
@@ -583,6 +594,9 @@ TEST_CASE("stage 5: a balls file is refused with its line and column") {
            Bad{header + good + "\n1,0.1,0,0,0,0,0\n", {"line 4", "column vz", "missing"}},
            Bad{header + "1,0.1,0,0,0,0,0,0,0\n", {"line 2", "9 values"}},
            Bad{header + "1,0.1,0,,0,0,0,0\n", {"line 2", "column y", "''"}},
+           Bad{"mass;radius;x;y;z;vx;vy;vz\n1;0,1;0;0;0;0;0;0\n",
+               {"line 2", "column radius", "'0,1'", "a point in place of the comma"}},
+           Bad{std::string("\xFF\xFEm\0a\0", 6), {"UTF-16", "UTF-8"}},
        }) {
     const std::string message = message_for(bad.text);
     INFO(message);

@@ -1,12 +1,12 @@
 #pragma once
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "05_ball_collision/scenes/scenes.hpp"
 #include "physics/parameters.hpp"
+#include "run/input_file.hpp"
 
 namespace bounce {
 
@@ -27,23 +27,19 @@ inline constexpr std::array<BallColumn, 8> ball_columns{{{"mass", "kg", {1e-30, 
                                                          {"vz", "m/s", {-1e15, 1e15}}}};
 
 /// Reads `--balls FILE`: a header line with the eight names above, in any order, then a line for
-/// each ball. Throws BadInput with line and column. Balls may overlap, also deeply.
+/// each ball. Balls may overlap, also deeply. What spreadsheets make of such a table is understood:
+/// `;` or tabs between the columns, quotes, capitals, empty rows, commas at the end; and lines that
+/// begin with # are comments.
 class BallsFile {
  public:
-  explicit BallsFile(std::string path) : path_(std::move(path)), file_(path_) {}
+  explicit BallsFile(const std::string& path) : file_("--balls", path) {}
 
   Arrangement read() {
-    if (!file_.is_open()) refuse("it must be a file that can be read");
-    std::vector<std::string> header;
-    if (!next_line(header)) refuse("it is empty; line 1 must name the columns " + all_names());
-    read_header(header);
+    if (!next_row()) file_.refuse("it is empty; line 1 must name the columns " + all_names());
+    read_header();
     std::vector<std::array<double, 8>> rows;
-    for (std::vector<std::string> words; next_line(words);) {
-      if (words.size() == 1 && words[0].empty()) continue;
-      rows.push_back(read_row(words));
-    }
-    if (file_.bad()) refuse("it must be a file that can be read");
-    if (rows.empty()) refuse("there is no ball in it: line 2 must be the first one");
+    while (next_row()) rows.push_back(read_row());
+    if (rows.empty()) file_.refuse("there is no ball in it: line 2 must be the first one");
     Arrangement start(static_cast<Eigen::Index>(rows.size()));
     for (Eigen::Index ball = 0; ball < start.mass.size(); ++ball) {
       const std::array<double, 8>& row = rows[static_cast<std::size_t>(ball)];
@@ -56,73 +52,77 @@ class BallsFile {
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& why) const {
-    throw BadInput("--balls '" + path_ + "' is not allowed: " + why);
-  }
-  [[noreturn]] void refuse_line(const std::string& why) const {
-    refuse("line " + std::to_string(line_) + ": " + why);
-  }
-
   static std::string all_names() {
     std::vector<std::string> names;
     for (const BallColumn& column : ball_columns) names.push_back(column.name);
     return join(names, ",");
   }
 
-  /// The words of the next line, without the spaces around them (or the \r that Windows leaves).
-  bool next_line(std::vector<std::string>& words) {
-    std::string line;
-    if (!std::getline(file_, line)) return false;
-    if (++line_ == 1 && line.rfind("\xEF\xBB\xBF", 0) == 0) line.erase(0, 3);  // some editors' mark
-    words = split(line);
-    for (std::string& word : words) {
-      const std::size_t first = word.find_first_not_of(" \t\r");
-      const std::size_t last = word.find_last_not_of(" \t\r");
-      word = first == std::string::npos ? "" : word.substr(first, last - first + 1);
+  /// The words of the next line that has some.
+  bool next_row() {
+    while (file_.next_line()) {
+      const std::string& line = file_.line();
+      if (!line.empty() && line[0] == '#') continue;
+      if (width_ == 0) {  // the header tells what is between the columns
+        for (const char other : {';', '\t'}) {
+          if (line.find(',') == line.npos && line.find(other) != line.npos) separator_ = other;
+        }
+      }
+      words_ = file_.words(separator_);
+      while (!words_.empty() && words_.back().empty() && words_.size() > width_) words_.pop_back();
+      const auto is_empty = [](const std::string& word) { return word.empty(); };
+      if (!std::all_of(words_.begin(), words_.end(), is_empty)) return true;
     }
-    return true;
+    return false;
   }
 
-  void read_header(const std::vector<std::string>& header) {
-    width_ = header.size();
-    for (std::size_t i = 0; i < ball_columns.size(); ++i) {
-      const std::string name = ball_columns[i].name;
-      const auto found = std::find(header.begin(), header.end(), name);
-      if (found == header.end()) {
-        refuse_line("column " + name + " is missing; the columns must be " + all_names());
+  void read_header() {
+    for (std::string& name : words_) {
+      if (name.size() > 1 && name.front() == '"' && name.back() == '"') {
+        name = name.substr(1, name.size() - 2);
       }
-      place_[i] = static_cast<std::size_t>(found - header.begin());
+      for (char& letter : name) {
+        if ('A' <= letter && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+      }
+    }
+    width_ = words_.size();
+    for (std::size_t i = 0; i < ball_columns.size(); ++i) {
+      const auto found = std::find(words_.begin(), words_.end(), ball_columns[i].name);
+      if (found == words_.end()) {
+        file_.refuse_line(std::string("column ") + ball_columns[i].name +
+                          " is missing; the columns must be " + all_names());
+      }
+      place_[i] = static_cast<std::size_t>(found - words_.begin());
     }
     if (width_ > ball_columns.size()) {
-      refuse_line("there are " + std::to_string(width_) + " columns; the columns must be " +
-                  all_names());
+      file_.refuse_line("there are " + std::to_string(width_) + " columns; the columns must be " +
+                        all_names());
     }
   }
 
-  std::array<double, 8> read_row(const std::vector<std::string>& words) const {
+  std::array<double, 8> read_row() const {
     std::array<double, 8> row{};
     for (std::size_t i = 0; i < row.size(); ++i) {
       const BallColumn& column = ball_columns[i];
-      const std::string place = std::string("column ") + column.name + ": ";
-      if (place_[i] >= words.size()) refuse_line(place + "the value is missing");
-      const std::string& word = words[place_[i]];
-      const std::optional<double> value = parse_number(word);
-      if (!value || !column.valid.contains(*value)) {
-        refuse_line(place + "'" + word + "' must be a number from " + to_text(column.valid.lowest) +
-                    " to " + to_text(column.valid.highest) + " (" + column.unit + ")");
+      const std::string name = std::string("column ") + column.name;
+      if (place_[i] >= words_.size()) file_.refuse_line(name + ": the value is missing");
+      const std::string& word = words_[place_[i]];
+      if (separator_ != ',' && word.find(',') != word.npos) {
+        file_.refuse_line(name + ": '" + word +
+                          "' must be written with a point in place of the comma");
       }
-      row[i] = *value;
+      row[i] = file_.number(name, word, column.valid, column.unit);
     }
-    if (words.size() > width_) {
-      refuse_line("there are " + std::to_string(words.size()) + " values for " +
-                  std::to_string(width_) + " columns; there must be one for each");
+    if (words_.size() > width_) {
+      file_.refuse_line("there are " + std::to_string(words_.size()) + " values for " +
+                        std::to_string(width_) + " columns; there must be one for each");
     }
     return row;
   }
 
-  std::string path_;
-  std::ifstream file_;
-  int line_ = 0;
+  InputFile file_;
+  char separator_ = ',';
+  std::vector<std::string> words_;      // of the line
   std::size_t width_ = 0;               // columns of this file
   std::array<std::size_t, 8> place_{};  // of each column in a row
 };

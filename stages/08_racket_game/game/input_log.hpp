@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <fstream>
 #include <map>
 #include <string>
 #include <utility>
@@ -10,7 +9,9 @@
 
 #include "08_racket_game/game/game.hpp"
 #include "physics/text.hpp"
+#include "run/input_file.hpp"
 #include "run/output_file.hpp"
+#include "run/simulation.hpp"
 
 namespace bounce {
 
@@ -57,53 +58,41 @@ inline void write_input_log(const std::string& path, const InputLog& log) {
 
 /// Throws BadInput when the file is none that was recorded, or not all of it.
 inline InputLog read_input_log(const std::string& path) {
-  const auto refuse = [&path](const std::string& why) {
-    throw BadInput("--replay '" + path + "' is not allowed: " + why +
-                   "; it must be a file that --record-input wrote");
-  };
-  std::ifstream file(path);
-  if (!file) refuse("it must be a file that can be read");
-  std::string line;
-  if (!std::getline(file, line) || line != input_log_first_line) {
-    refuse("it does not begin as recorded inputs do");
+  InputFile file("--replay", path, "it must be a file that --record-input wrote");
+  if (!file.next_line() || file.line() != input_log_first_line) {
+    file.refuse("it does not begin as recorded inputs do");
   }
-  const auto number = [&](const std::string& text) {
-    const std::optional<double> value = parse_number(text);
-    if (!value) {
-      refuse("in the line of '" + line.substr(0, line.find(' ')) + "', '" + text.substr(0, 40) +
-             "' is no number");
-    }
-    return *value;
-  };
   InputLog log;
-  while (std::getline(file, line) && line != "end") {
+  while (file.next_line() && file.line() != "end") {
+    const std::string& line = file.line();
     const std::string word = line.substr(0, line.find(' '));
     const std::string rest = line.substr(std::min(line.size(), word.size() + 1));
     if (word == "seed") {
-      log.seed = static_cast<std::uint64_t>(std::clamp(number(rest), 0.0, 1e15));
+      log.seed = static_cast<std::uint64_t>(file.whole_number(word, rest, {0, 1e15}));
     } else if (word == "round") {
-      log.round = static_cast<int>(std::clamp(number(rest), 0.0, 1e9));
+      log.round = static_cast<int>(file.whole_number(word, rest, {0, 1e9}));
     } else if (word == "dt") {
-      log.dt = number(rest);
-      if (!(log.dt >= 1e-15 && log.dt <= 1e15))
-        refuse("its dt is " + rest + ", and may be from 1e-15 to 1e15 (s)");
+      log.dt = file.number(word, rest, Simulation::valid_dt, "s");
     } else if (word == "method") {
       log.method = rest;
     } else if (word.rfind("set.", 0) == 0) {
       log.parameters.emplace_back(word.substr(4), rest);
     } else if (word == "input") {
-      std::vector<double> all;
-      for (const std::string& text : split(rest)) all.push_back(number(text));
-      if (all.size() != 7 || all[0] < 0 || all[0] > 1e15) {
-        refuse("an input has 7 numbers, the first from 0 to 1e15, and not '" + rest + "'");
+      const std::vector<std::string> all = split(rest);
+      if (all.size() != 7) file.refuse_line("input: '" + rest + "' must be 7 numbers");
+      InputLog::Entry entry{file.whole_number(word, all[0], {0, 1e15}), {}};
+      Input& input = entry.input;
+      std::size_t i = 1;
+      for (double* number :
+           {&input.x, &input.z, &input.tilt_x, &input.tilt_z, &input.swing, &input.assist}) {
+        *number = file.number(word, all[i++], Simulation::valid_number);
       }
-      log.entries.push_back(
-          {static_cast<long long>(all[0]), {all[1], all[2], all[3], all[4], all[5], all[6]}});
+      log.entries.push_back(entry);
     } else {
-      refuse("it says '" + word.substr(0, 40) + "'");
+      file.refuse_line("it says '" + word.substr(0, 40) + "'");
     }
   }
-  if (line != "end") refuse("its end is missing");
+  if (file.line() != "end") file.refuse("its end is missing");
   return log;
 }
 

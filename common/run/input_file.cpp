@@ -1,0 +1,81 @@
+#include "run/input_file.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+#include "physics/text.hpp"
+
+namespace bounce {
+namespace {
+
+std::string without_blanks(const std::string& word) {
+  const std::size_t first = word.find_first_not_of(" \t");
+  if (first == std::string::npos) return "";
+  return word.substr(first, word.find_last_not_of(" \t") - first + 1);
+}
+
+}  // namespace
+
+InputFile::InputFile(std::string option, std::string path, const std::string& hint)
+    : option_(std::move(option)),
+      path_(std::move(path)),
+      hint_(hint.empty() ? "" : "; " + hint),
+      file_(path_, std::ios::binary) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path_, error)) refuse("it is a folder, and must be a file");
+  if (!file_.is_open()) refuse("it must be a file that can be read");
+}
+
+bool InputFile::next_line() {
+  const bool is_there = static_cast<bool>(std::getline(file_, line_));
+  if (file_.bad()) refuse("it must be a file that can be read");
+  if (++number_of_line_ == 1) {
+    if (line_.rfind("\xEF\xBB\xBF", 0) == 0) line_.erase(0, 3);
+    if (line_.rfind("\xFF\xFE", 0) == 0 || line_.rfind("\xFE\xFF", 0) == 0) {
+      refuse("it is written in UTF-16, and must be in UTF-8 (in a spreadsheet: \"CSV UTF-8\")");
+    }
+  }
+  if (!line_.empty() && line_.back() == '\r') line_.pop_back();
+  return is_there;
+}
+
+std::string InputFile::rest() {
+  std::ostringstream text;
+  text << file_.rdbuf();
+  return text.str();
+}
+
+std::vector<std::string> InputFile::words(char separator) const {
+  std::vector<std::string> words = split(line_, separator);
+  for (std::string& word : words) word = without_blanks(word);
+  return words;
+}
+
+double InputFile::number(const std::string& name, std::string_view word, Range valid,
+                         const std::string& unit) const {
+  const std::optional<double> value = parse_number(word);
+  if (value && valid.contains(*value)) return *value;
+  refuse_line(name + ": '" + std::string(word.substr(0, 40)) + "' must be " +
+              number_in(valid, unit));
+}
+
+long long InputFile::whole_number(const std::string& name, std::string_view word,
+                                  Range valid) const {
+  const std::optional<double> value = parse_number(word);
+  if (value && valid.contains(*value) && *value == std::floor(*value)) {
+    return static_cast<long long>(*value);
+  }
+  refuse_line(name + ": '" + std::string(word.substr(0, 40)) + "' must be " +
+              number_in(valid, "", true));
+}
+
+void InputFile::refuse(const std::string& why) const {
+  throw BadInput(option_ + " '" + path_ + "' is not allowed: " + why + hint_);
+}
+
+void InputFile::refuse_line(const std::string& why) const {
+  refuse("line " + std::to_string(number_of_line_) + ": " + why);
+}
+
+}  // namespace bounce
