@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "checks/judge.hpp"
+#include "checks/judged_process.hpp"
 
 namespace bounce::check {
 
@@ -72,7 +73,8 @@ Energies energies(double v, bool lets_go, double duration) {
   const auto overlap = [=](double y) { return lets_go ? std::max(0.0, r - y) : r - y; };
   Walk walk{[=](double, double y, double) { return -g + k * overlap(y); }, 0, r, v, energy_dt};
   walk.steps = std::lround(duration / walk.dt);
-  walk.every = 37;  // no whole part of a bounce
+  walk.every = 37;   // no whole part of a bounce
+  begin_question();  // each of these long walks has a time of its own
   const std::vector<Walked::Noted> states = subject().walk(walk).states;
   const std::size_t late = states.size() - states.size() / 100;
   Energies all;

@@ -1,6 +1,6 @@
 // Twenty small steps of velocity Verlet in each.
 // check: it asks for the acceleration at most 8 times a step
-// told: none of the known mistakes
+// told: too many evaluations
 
 // [step]
 template <class Scene>
