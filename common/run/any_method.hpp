@@ -41,6 +41,14 @@ class AnyMethod<MethodList<Methods...>> {
     return std::visit(visit, now_);
   }
 
+  /// Of the force, by a method that counts them.
+  long long counted_evaluations() const {
+    return visit([](const auto& one) -> long long {
+      if constexpr (requires { one.counted_evaluations(); }) return one.counted_evaluations();
+      return 0;
+    });
+  }
+
   /// What the method remembers, to a visitor as in remembered.hpp; `resume` after reading it.
   template <class Self, class Visitor>
   static void remembered(Self& self, Visitor& visitor) {

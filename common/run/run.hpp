@@ -66,10 +66,7 @@ class RunOf final : public Simulation {
     long long more = 0;
     if constexpr (requires { world_.more_evaluations(*this); })
       more = world_.more_evaluations(*this);
-    return more + method_.visit([](const auto& one) -> long long {
-      if constexpr (requires { one.counted_evaluations(); }) return one.counted_evaluations();
-      return 0;
-    });
+    return more + method_.counted_evaluations();
   }
 
   std::vector<double> exact_values(double t) const override {

@@ -102,6 +102,25 @@ same "$mine" "$skeleton"
 run 0 reset 1
 same "$mine.2" "$skeleton"
 
+# A better loop: an exercise of its own.
+loop="$BOUNCE_MINE/02_spring_floor/mine_method.hpp"
+own_method="$top/stages/02_spring_floor/own_method/my_method.hpp"
+run 1 check loop
+shows "Edit this file:  $loop"
+shows "if this gap is still empty"
+same "$loop" "$own_method"
+run 0 check loop --hint
+shows "hint 1 of 3"
+cmake -DBASE="$own_method" -DPIECES="$top/tests/mistakes/right_loops/velocity_verlet.hpp" -DOUT="$loop" -P "$top/tests/checks/splice.cmake"
+run 0 check loop
+shows "it is velocity Verlet, or its twin"
+shows "./course play 2 --mine"
+run 0 check loop --report "$BOUNCE_MINE/report.json"
+out=$(cat "$BOUNCE_MINE/report.json")
+shows '"verdict": "Your method is of order 2.00'
+run 0 reset loop
+same "$loop" "$own_method"
+
 run 2 check 99
 run 2 check 1 2
 run 2 check --hunt

@@ -32,6 +32,13 @@ static Finding& kept() {
 }
 const Finding& last_finding() { return kept(); }
 
+static std::string& concluded() {
+  static std::string sentence;
+  return sentence;
+}
+void conclude(const std::string& sentence) { concluded() = sentence; }
+const std::string& conclusion() { return concluded(); }
+
 void fail(const Finding& finding) {
   kept() = finding;
   FAIL(finding.tested, ": got ", finding.got, ", expected ", finding.expected, "; ",

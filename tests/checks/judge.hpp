@@ -82,6 +82,10 @@ std::string answer_text(const Triple& answer, const std::vector<std::string>& na
 /// What `fail` kept last.
 const Finding& last_finding();
 
+/// What is said of the subject when all checks have passed; empty: nothing more.
+void conclude(const std::string& sentence);
+const std::string& conclusion();
+
 inline constexpr const char* all_zero = "0 in every case";
 inline constexpr const char* not_among_them = "none of the known mistakes";
 

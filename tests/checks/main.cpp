@@ -1,4 +1,4 @@
-// Checks one stage: usage: stage_checks NN_name MODULE [--course MODULE] [--report FILE.json]
+// Checks one stage: usage: stage_checks NN_name|loop MODULE [--course MODULE] [--report FILE.json]
 //                                       [--must-fail-as FILE.hpp]
 // MODULE is the compiled stage (subject.hpp). Exit code 0: all checks pass; 1: one does not; 2: bad
 // input. With --must-fail-as, 0 only if the check and the mistake are those named in FILE's first
@@ -103,7 +103,8 @@ void check(const Words& words) {
   under_check = &watched;
   const bool passed = run_checks(words.stage);
   finish();
-  if (passed && !words.course.empty() && !has_printed()) {
+  if (passed && !conclusion().empty()) tell({"verdict", conclusion()});
+  if (passed && conclusion().empty() && !words.course.empty() && !has_printed()) {
     tell_speed(load(words.course), std::stoi(words.stage));
   }
 }

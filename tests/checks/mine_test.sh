@@ -56,6 +56,22 @@ for stage in 03_damping 04_three_dimensions; do write $stage; differ $stage; don
 write 01_free_fall
 equal 03_damping
 
+# A method of the learner's own comes first then, and the loop stays beside it.
+method="$BOUNCE_MINE/02_spring_floor/mine_method.hpp"
+cmake -DBASE="$top/stages/02_spring_floor/own_method/my_method.hpp" -DPIECES="$top/tests/mistakes/right_loops/velocity_verlet.hpp" \
+  -DOUT="$method" -P "$top/tests/checks/splice.cmake"
+verlet() { own 02_spring_floor --method velocity-verlet; }
+write 02_spring_floor "$half"
+! cmp -s <(mine 02_spring_floor) <(verlet) || fails "with your method your force does not act"
+says "your force, your method"
+says "method=mine"
+rm "$BOUNCE_MINE/02_spring_floor/mine.hpp"
+cmp -s <(mine 02_spring_floor) <(verlet) || fails "your velocity Verlet is another one"
+says "the course's force, your method"
+says "force_evaluations=2019" # 2001 and, for the rows, 18 more where a step was cut
+equal 02_spring_floor --method my-loop
+rm "$method"
+
 write 05_ball_collision
 equal 05_ball_collision --set scene=drop --set count=300
 write 05_ball_collision 's/return contact.force(meeting.overlap/return 0 * contact.force(meeting.overlap/'

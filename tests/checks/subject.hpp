@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace bounce::check {
@@ -38,6 +39,21 @@ struct LinearLaw {
   }
 };
 
+/// A law on a line, a = law(t, y, v) [m/s^2], and so many steps of a learner's method on it.
+struct Walk {
+  std::function<double(double, double, double)> law;
+  double t = 0, y = 0, v = 0, dt = 0;
+  long steps = 0;
+  long every = 0;  // a state is noted after so many steps; 0: after the last one
+};
+struct Walked {
+  struct Noted {
+    double y, v;
+  };
+  std::vector<Noted> states;
+  long long evaluations = 0;  // how often the law was asked
+};
+
 struct OneOfMany {  // stage 5
   Motion motion;
   double radius, mass;
@@ -67,6 +83,10 @@ class Subject {
   virtual Motion step(const LinearLaw&, double /*t*/, const Motion& now, double /*dt*/) const {
     return now;
   }
+  // A better loop: the learner's own method, on a line, and in space with the law in each
+  // direction.
+  virtual Walked walk(const Walk&) const { return {}; }
+  virtual Motion walk_in_space(const Walk&, const Motion& start) const { return start; }
   // Stage 5
   virtual MeetingFound meet(const OneOfMany&, const OneOfMany&) const { return {}; }
   virtual Triple pair_force(const Setting&, const OneOfMany&, const OneOfMany&) const { return {}; }

@@ -66,6 +66,10 @@ void Verdict::hear(const Record& record) {
     if (!quiet_) std::printf("  not yet  %s\n", checking_.c_str());
     if (!quiet_) explain(finding_);
   }
+  if (kind == "verdict" && record.size() == 2) {
+    verdict_ = record[1];
+    if (!quiet_) std::printf("\n  %s\n", verdict_.c_str());
+  }
   if (kind == "speed" && record.size() == 6) {
     if (!speed_shown_) {
       std::printf("\n  Speed against error, your code beside the course's:\n\n");
@@ -111,6 +115,7 @@ bool Verdict::write_report(const std::string& path, const std::string& stage) co
         << ", \"passed\": " << (done_[i].passed ? "true" : "false") << "}";
   }
   out << "]";
+  if (!verdict_.empty()) out << ", \"verdict\": " << quoted(verdict_);
   if (!ending_.words.empty()) {
     out << ", \"mistake\": " << quoted(ending_.words) << ", \"in\": " << quoted(ending_.where);
   } else if (failed()) {

@@ -37,6 +37,7 @@ class Verdict {
   std::vector<Checked> done_;
   Finding finding_;
   Ending ending_;
+  std::string verdict_;  // what is said of it when all is passed
   bool speed_shown_ = false;
 };
 

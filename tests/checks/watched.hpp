@@ -41,6 +41,12 @@ class Watched final : public Subject {
   Motion step(const LinearLaw& law, double t, const Motion& now, double dt) const override {
     return call("fall_one_step", [&] { return subject_.step(law, t, now, dt); });
   }
+  Walked walk(const Walk& walk) const override {
+    return call("MyMethod", [&] { return subject_.walk(walk); });
+  }
+  Motion walk_in_space(const Walk& walk, const Motion& start) const override {
+    return call("MyMethod", [&] { return subject_.walk_in_space(walk, start); });
+  }
   MeetingFound meet(const OneOfMany& a, const OneOfMany& b) const override {
     return call("meet", [&] { return subject_.meet(a, b); });
   }

@@ -101,21 +101,39 @@ TEST_CASE("the gaps of a stage are counted: YOUR TURN 2 of 3") {
   }
 }
 
+/// What the first three lines of an exercise must say, and that there are three hints.
+static void check_head_and_hints(const fs::path& file, const fs::path& hints_file,
+                                 const std::string& lesson) {
+  CAPTURE(file.string());
+  const std::string gaps = read_file(file.string());
+  const std::string head = gaps.substr(0, gaps.find("\n\n"));
+  CHECK(std::count(head.begin(), head.end(), '\n') == 2);
+  CHECK((has({head}, "mine.hpp") || has({head}, "mine_method.hpp")));
+  CHECK(has({head}, "./course check"));
+  CHECK(has({head}, lesson));
+  const std::string hints = read_file(hints_file.string());
+  int hints_found = 1;
+  for (std::size_t at = hints.find("\n---\n"); at != std::string::npos;
+       at = hints.find("\n---\n", at + 1)) {
+    ++hints_found;
+  }
+  CHECK(hints_found == 3);
+}
+
 TEST_CASE("an exercise says in its first three lines what to do, and has three hints") {
   for (const fs::path& stage : exercises()) {
-    CAPTURE(stage.string());
-    const std::string gaps = read_file((stage / "gaps.hpp").string());
-    const std::string head = gaps.substr(0, gaps.find("\n\n"));
-    CHECK(std::count(head.begin(), head.end(), '\n') == 2);
-    CHECK(head.find("mine.hpp") != std::string::npos);
-    CHECK(head.find("./course check") != std::string::npos);
-    CHECK(head.find("docs/" + stage.filename().string() + ".md") != std::string::npos);
-    const std::string hints = read_file((stage / "hints.txt").string());
-    int hints_found = 1;
-    for (std::size_t at = hints.find("\n---\n"); at != std::string::npos;
-         at = hints.find("\n---\n", at + 1)) {
-      ++hints_found;
-    }
-    CHECK(hints_found == 3);
+    check_head_and_hints(stage / "gaps.hpp", stage / "hints.txt",
+                         "docs/" + stage.filename().string() + ".md");
   }
+  const fs::path loop = root / "stages/02_spring_floor/own_method";
+  check_head_and_hints(loop / "my_method.hpp", loop / "hints.txt",
+                       "docs/deeper/02_spring_floor.md");
+}
+
+TEST_CASE("the exercise of a better loop asks for one thing, and is no answer") {
+  const auto parts = parts_of(course_header("loop"));
+  REQUIRE(parts.size() == 1);
+  const Lines& gap = parts.at("step");
+  for (const char* text : {"YOUR TURN: ", "Must hold: ", "// <- here"}) CHECK(has(gap, text));
+  CHECK_FALSE(has(gap, "state.velocity +="));
 }

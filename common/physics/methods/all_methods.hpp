@@ -13,15 +13,13 @@
 
 namespace bounce {
 
-template <class... A, class... B>
-MethodList<A..., B...> operator+(MethodList<A...>, MethodList<B...>);
-
 // The one list of methods, in the order in which they are shown. A run offers those parts of it
 // that its scene allows: the stepping methods always, the others where there are closed forms.
 
 template <class Vector>
-using SteppingMethods = decltype(
-    MethodList<ExplicitEuler, SemiImplicitEuler, VelocityVerlet<Vector>, Rk4>{} + MyMethods{});
+using SteppingMethods =
+    decltype(MethodList<ExplicitEuler, SemiImplicitEuler, VelocityVerlet<Vector>, Rk4>{} +
+             MyMethods<Vector>{});
 
 template <class Phases, class Vector>
 using LocatedMethods = MethodList<Rk4Events<Phases, Vector>, FlightRk4<Phases, Vector>>;

@@ -109,7 +109,7 @@ void GameRun::one_step(double dt) {
   }
   const auto move_ball = [this](Racket& scene, Ball& ball, double h) {
     const RacketStep taken = method_.visit(
-        [&](const auto& method) { return racket_step(method, scene, 0, ball, h, nullptr); });
+        [&](auto& method) { return racket_step(method, scene, 0, ball, h, nullptr); });
     more_pieces_ += taken.pieces;
     return taken.touches;
   };

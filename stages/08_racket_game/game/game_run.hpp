@@ -52,7 +52,7 @@ class GameRun final : public Simulation {
   Energy energy() const override;
   EnergyAccount energy_account() const override { return {energy().total(), 0}; }
   long long counted_force_evaluations() const override {
-    return more_pieces_ * method().evaluations;
+    return more_pieces_ * method().evaluations + method_.counted_evaluations();
   }
   std::vector<double> exact_values(double) const override { return {}; }
   std::optional<StateError> error() const override { return std::nullopt; }

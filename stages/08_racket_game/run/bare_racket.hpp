@@ -120,7 +120,7 @@ void BareRacketWorld::take_steps(Any& method, Ball& ball, long long count, doubl
   if (is_mine) {  // as it is seen from the ground, where the racket moves
     Racket scene = scene_now();
     for (long long i = 0; i < count; ++i) {
-      whole_step(Any{}, scene, t + static_cast<double>(i) * dt, ball, dt);
+      whole_step(method, scene, t + static_cast<double>(i) * dt, ball, dt);
     }
     take_side_of(scene);
     seen_from_racket = from_racket(ball, t + static_cast<double>(count) * dt);

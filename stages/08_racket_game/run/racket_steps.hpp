@@ -13,31 +13,37 @@ struct RacketStep {
 };
 
 /// On a learner's lines there are no flights by formula and no cuts: a step is one step of the
-/// method, and only the learner's force says where the ball goes.
+/// method, and only the learner's force says where the ball goes. Between two steps the racket may
+/// have moved, so what the method remembers does not hold.
 template <class Method>
-RacketStep whole_step(Method method, Racket& scene, double t, State<Eigen::Vector3d>& ball,
+RacketStep whole_step(Method& method, Racket& scene, double t, State<Eigen::Vector3d>& ball,
                       double dt) {
   const auto touches = [&](double when) {
     return scene.nearest(scene.disc_at(when), ball.position).distance < scene.radius;
   };
   const bool before = touches(t);
+  if constexpr (requires { method.forget(); }) {
+    method.forget();
+  } else {
+    method = {};
+  }
   method(scene, t, ball, dt);
   scene.choose_side(t + dt, ball.position);
   return {!before && touches(t + dt) ? 1 : 0, 1};
 }
 
 template <class Method, class Note>
-RacketStep racket_step(const Method&, Racket& scene, double t, State<Eigen::Vector3d>& ball,
+RacketStep racket_step(Method& method, Racket& scene, double t, State<Eigen::Vector3d>& ball,
                        double dt, const Note& note) {
-  if (is_mine) return whole_step(Method{}, scene, t, ball, dt);
+  if (is_mine) return whole_step(method, scene, t, ball, dt);
   const auto make_step = [&] {
-    return [&, method = Method{}](const Racket& law, double now, State<Eigen::Vector3d>& x,
-                                  double h) mutable {
+    return [&, fresh = Method{}](const Racket& law, double now, State<Eigen::Vector3d>& x,
+                                 double h) mutable {
       if constexpr (std::is_null_pointer_v<Note>) {
-        method(law, now, x, h);
+        fresh(law, now, x, h);
       } else {
         const State<Eigen::Vector3d> before = x;
-        method(law, now, x, h);
+        fresh(law, now, x, h);
         note(law, now, before, x, h);
       }
     };
