@@ -13,9 +13,9 @@ using bounce::test::read_file;
 
 namespace {
 
-/// A stage has a lesson: "03_damping".
+/// A stage has a lesson: "03_damping". The page that follows them is like one.
 std::vector<std::string> all_lessons() {
-  std::vector<std::string> lessons;
+  std::vector<std::string> lessons{"your_project"};
   for (const auto& stage : std::filesystem::directory_iterator(BOUNCE_SOURCE_DIR "/stages")) {
     if (!std::filesystem::exists(stage.path() / "main.cpp")) continue;
     lessons.push_back(stage.path().filename().string());
@@ -108,7 +108,7 @@ Counts count(const std::string& lesson) {
 
 TEST_CASE("a lesson is short, and says it in plain words") {
   const std::vector<std::string> lessons = all_lessons();
-  CHECK(lessons.size() >= 8);
+  CHECK(lessons.size() >= 9);
   for (const std::string& lesson : lessons) {
     const std::string file = "docs/" + lesson + ".md";
     CAPTURE(file);

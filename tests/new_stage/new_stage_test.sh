@@ -45,7 +45,8 @@ page_commands() { # of the example, in their order; and EDIT, where its changes 
   awk '/^## / { on = /A stage of your own/ } /^### / { on = 0 } !on { next }
     /^```/ { shell = /^```sh/; if (/^```diff/ && !edit++) print "EDIT" } shell && /^\.\/course/' docs/contributing.md
 }
-mapfile -t commands < <(page_commands)
+commands=()
+while IFS= read -r command; do commands+=("$command"); done < <(page_commands)
 [ "${#commands[@]}" -ge 9 ] || fails "the example of docs/contributing.md has lost its commands: ${commands[*]}"
 edited=
 for command in "${commands[@]}"; do

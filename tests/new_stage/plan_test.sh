@@ -2,7 +2,6 @@
 # ./course check plan sends back what is no plan, in words, and passes what is one.
 # usage: plan_test.sh TOP
 set -uo pipefail
-shopt -s lastpipe # what a pipe ends in runs here, and may count failures
 top=$1
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -24,25 +23,25 @@ awk -v folder="$folder" '/^```text/ { inside = 1; n++; next } /^```/ { inside = 
 for n in 1 2 3; do plan 0 <"$folder/page$n"; shows "4 items"; shows "Begin with the first: A ball"; done
 [ ! -e "$folder/page4" ] || fails "there is a fourth plan, which this test does not know"
 
-{ item falls 1 'it falls' 7.00; item bounces 2-4 'it bounces' 0.66; } | plan 0
+plan 0 < <(item falls 1 'it falls' 7.00; item bounces 2-4 'it bounces' 0.66)
 shows "2 items, 4 days"
 
 # What is sent back: the item, its line, and why. Nothing else.
-{ item falls 1 'it falls' 7.00; item bounces 2-5 'it bounces' 0.66; } | plan 1
+plan 1 < <(item falls 1 'it falls' 7.00; item bounces 2-5 'it bounces' 0.66)
 shows "plan.md:5: 'bounces' takes 4 days."; lines 1
-{ item falls 1 'it falls' 7.00; item bounces 2-4 'it bounces' '...'; } | plan 1
+plan 1 < <(item falls 1 'it falls' 7.00; item bounces 2-4 'it bounces' '...')
 shows "plan.md:5: 'bounces' has no check."; lines 1
-item falls 1 'it falls' 'sqrt(m g / b)' | plan 1; shows "'falls' has a check without a number: 'sqrt(m g / b)'."; lines 1
-item falls 1 '' 7.00 | plan 1; shows "plan.md:1: 'falls' shows nothing."; lines 1
-item falls '' 'it falls' 7.00 | plan 1; shows "plan.md:1: 'falls' has no day."; lines 1
-for days in soon 1-x 1.5; do item falls $days 'it falls' 7.00 | plan 1; shows "'falls' has the days '$days'."; lines 1; done
-for days in 0 3-2; do item falls $days 'it falls' 7.00 | plan 1; shows "Count from day 1, upwards."; lines 1; done
-{ item falls 2-3 'it falls' 7.00; item bounces 1 'it bounces' 0.66; } | plan 1
+plan 1 < <(item falls 1 'it falls' 'sqrt(m g / b)'); shows "'falls' has a check without a number: 'sqrt(m g / b)'."; lines 1
+plan 1 < <(item falls 1 '' 7.00); shows "plan.md:1: 'falls' shows nothing."; lines 1
+plan 1 < <(item falls '' 'it falls' 7.00); shows "plan.md:1: 'falls' has no day."; lines 1
+for days in soon 1-x 1.5; do plan 1 < <(item falls $days 'it falls' 7.00); shows "'falls' has the days '$days'."; lines 1; done
+for days in 0 3-2; do plan 1 < <(item falls $days 'it falls' 7.00); shows "Count from day 1, upwards."; lines 1; done
+plan 1 < <(item falls 2-3 'it falls' 7.00; item bounces 1 'it bounces' 0.66)
 shows "'bounces' begins on day 1, and the item before it ends on day 3."; lines 1
-printf '## falls\n## bounces\n' | plan 1; lines 6
-printf '# only words\n\nit shall fly\n' | plan 1; shows "there is no item in it"; lines 1
+plan 1 < <(printf '## falls\n## bounces\n'); lines 6
+plan 1 < <(printf '# only words\n\nit shall fly\n'); shows "there is no item in it"; lines 1
 plan 1 <"$top/stages/new/plan.md"; lines 4 # a fresh one is no plan yet
-item falls 1 'it falls' 7.00 | sed 's/$/\r/; s/^days/- Days/' | plan 0 # as another editor writes it
+plan 0 < <(item falls 1 'it falls' 7.00 | awk '{ sub(/^days/, "- Days"); printf "%s\r\n", $0 }') # as another editor writes it
 
 out=$("$top/course" check plan "$folder/not_there.md" 2>&1) && fails "a file that is not there passes"
 shows "cannot find the file '$folder/not_there.md'"
