@@ -35,8 +35,9 @@ void draw_side_view(Canvas& canvas, const Playback& playback, const View& view,
 /// asked for every picture: parameters may have changed.
 void use_side_view(Demo& demo, const std::function<BallOnALine(const Simulation&)>& look);
 
-/// The demo of a scene with one ball on a line. `look` says what is not in the scene.
-template <class Scene, class Phases>
+/// The demo of a scene with one ball on a line. `look` says what is not in the scene;
+/// `Phases` are its closed forms, where there are any.
+template <class Scene, class Phases = NoPhases>
 Demo side_demo(const BallOnALine& look = {}) {
   using Its = OneBallRun<Scene, Phases>;
   Demo demo;

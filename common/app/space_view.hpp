@@ -40,7 +40,7 @@ void use_space_view(Demo& demo, const std::function<BallInSpace(const Simulation
 
 /// The demo of a scene with one ball in space, above a floor or a plane. `look` says what is not in
 /// the scene.
-template <class Scene, class Phases>
+template <class Scene, class Phases = NoPhases>
 Demo space_demo(const BallInSpace& look = {}) {
   using Its = OneBallRun<Scene, Phases>;
   Demo demo;

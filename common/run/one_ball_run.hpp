@@ -5,42 +5,72 @@
 #include "physics/contact.hpp"
 #include "physics/events/one_ball_contacts.hpp"
 #include "physics/forces.hpp"
+#include "physics/methods/whole_law_reference.hpp"
 #include "run/run.hpp"
 
 namespace bounce {
 
-/// The methods of a scene with one ball: all, where its closed form also tells what located events
-/// need; else those that step, and the formula.
-template <class Phases, class Vector, bool locates_events>
-struct MethodsOfOneBall {
-  using List = AllMethods<Phases, OneBallContacts<Phases, Vector>, Vector>;
+/// For a scene whose movement has no closed form.
+struct NoPhases {};
+
+/// What moves a scene with one ball: all methods, where its closed form also tells what located
+/// events need; else those that step, and the formula. It is compared with the formula.
+template <class Scene, class Phases, class Vector, bool locates_events>
+struct PartsOfOneBall {
+  using Contacts = OneBallContacts<Phases, Vector>;
+  using TruthWalk = EventDriven<Phases, Vector>;
+  using Methods = AllMethods<Phases, Contacts, Vector>;
 };
-template <class Phases, class Vector>
-struct MethodsOfOneBall<Phases, Vector, false> {
-  using List = decltype(SteppingMethods<Vector>{} + MethodList<ExactMethod<Phases, Vector>>{});
+template <class Scene, class Phases, class Vector>
+struct PartsOfOneBall<Scene, Phases, Vector, false> {
+  using Contacts = OneBallContacts<Phases, Vector>;
+  using TruthWalk = EventDriven<Phases, Vector>;
+  using Methods = decltype(SteppingMethods<Vector>{} + MethodList<ExactMethod<Phases, Vector>>{});
+};
+/// Without a formula: those that step, and a method with its error under control, which is the
+/// truth, too.
+template <class Scene, class Vector>
+struct PartsOfOneBall<Scene, NoPhases, Vector, false> {
+  using Contacts = WholeLaw<Scene, Vector>;
+  using TruthWalk = Reference<Contacts, Vector>;
+  using Methods = decltype(SteppingMethods<Vector>{} +
+                           MethodList<WholeLawReference<Scene, Vector>>{});
 };
 
 /// A scene with one ball, in one dimension or three: what `Scene::start` says. `Phases` are its
-/// movement in closed form, made from the scene (the stage's exact.hpp). A scene whose floor moves
-/// has a `floor_height(t)`, which the trace shows in a column of its own, and a `floor_speed(t)`.
+/// movement in closed form, made from the scene (the stage's exact.hpp), or NoPhases. A scene whose
+/// floor moves has a `floor_height(t)`, which the trace shows in a column of its own, and a
+/// `floor_speed(t)`.
 template <class Scene, class Phases>
 struct OneBallWorld {
   using Vector = decltype(Scene::start.position);  // double or Eigen::Vector3d
   using Ball = State<Vector>;
-  using Contacts = OneBallContacts<Phases, Vector>;
-  using TruthWalk = EventDriven<Phases, Vector>;
 
   // Does the closed form also tell what located events need?
   static constexpr bool locates_events = requires(const Phases& of) { of.after_touch(); };
   static constexpr bool floor_moves = requires(const Scene& of) { of.floor_height(0.0); };
-  using Methods = typename MethodsOfOneBall<Phases, Vector, locates_events>::List;
+  static constexpr bool has_phases = !std::is_same_v<Phases, NoPhases>;
+  using Parts = PartsOfOneBall<Scene, Phases, Vector, locates_events>;
+  using Contacts = typename Parts::Contacts;
+  using TruthWalk = typename Parts::TruthWalk;
+  using Methods = typename Parts::Methods;
 
   Scene scene;
 
   Phases phases() const { return Phases(scene); }
-  Contacts contacts(double t, const Ball& ball) const { return {phases(), t, ball}; }
+  Contacts contacts(double t, const Ball& ball) const {
+    if constexpr (has_phases) {
+      return {phases(), t, ball};
+    } else {
+      return {scene, t};
+    }
+  }
   Truth<TruthWalk, Vector> truth(double t, const Ball& ball) const {
-    return {TruthWalk(phases(), t, ball), 10000000};
+    if constexpr (has_phases) {
+      return {TruthWalk(phases(), t, ball), 10000000};
+    } else {
+      return {TruthWalk(contacts(t, ball), t, ball, 1e-12), 1000000};
+    }
   }
 
   std::vector<Parameter> parameters() { return scene.parameters(); }

@@ -25,6 +25,7 @@ struct Setting {
   int side = 1;                                                                // stage 8
   double since = 0;                                                            // stage 8
   double floor_stiffness = 1e4, floor_damping = 0;                             // stage 5
+  std::array<double, 4> own{};  // of a stage of your own (./course new): what its subject.cpp says
 };
 
 struct Motion {

@@ -63,6 +63,8 @@ TEST_CASE("every command in the lessons runs") {
   const fs::path root = BOUNCE_SOURCE_DIR;
   int commands = 0;
   for (const fs::path& file : lesson_files(root)) {
+    // The stage there is the reader's: tests/new_stage makes it and plays it.
+    if (file.filename() == "contributing.md") continue;
     std::ifstream text(root / file);
     for (std::string line; std::getline(text, line);) {
       const std::string command = stage_command(line);

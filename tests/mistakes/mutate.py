@@ -96,8 +96,10 @@ def verdict(stage, text):
 
 
 def header_of(stage):
-    subject = (TOP / f"tests/checks/subjects/{stage}.cpp").read_text()
-    return TOP / "stages" / re.search(r'#define BOUNCE_STAGE_HEADER "(.*)"', subject).group(1)
+    subject = TOP / f"stages/{stage}/tests/subject.cpp"  # of a stage that ./course new made
+    if not subject.exists():
+        subject = TOP / f"tests/checks/subjects/{stage}.cpp"
+    return TOP / "stages" / re.search(r'#define BOUNCE_STAGE_HEADER "(.*)"', subject.read_text()).group(1)
 
 
 def explanation(stage, line):

@@ -72,5 +72,5 @@ TEST_CASE("a plain program is one short page, and includes nothing of the projec
     CHECK(count >= 15);
     CHECK(count <= 70);
   }
-  CHECK(pages == 8);
+  CHECK(pages >= 8);
 }

@@ -30,8 +30,11 @@ inline ContactLaw contact_law(const Setting& setting) {
   return setting.push_only ? ContactLaw::push_only : ContactLaw::may_pull;
 }
 
-/// A stage with one ball: `Scene` is the stage's struct.
 template <class Scene>
+void nothing_more(Scene&, const Setting&) {}
+
+/// A stage with one ball: `Scene` is the stage's struct. `take_own` hands over what only it has.
+template <class Scene, void (*take_own)(Scene&, const Setting&) = nothing_more<Scene>>
 class OneBall : public Subject {
  public:
   using Vector = decltype(Scene::start.position);
@@ -63,6 +66,7 @@ class OneBall : public Subject {
       scene.normal = to_vector<Vector>(setting.normal);
       scene.offset = setting.offset;
     }
+    take_own(scene, setting);
     return scene;
   }
 
