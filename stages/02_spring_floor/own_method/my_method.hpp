@@ -1,6 +1,6 @@
-// Your turn: a better loop. Edit mine_method.hpp (./course check loop makes it): fill the gap marked
-// YOUR TURN. Then run ./course check loop, or once ./course check loop --watch.
-// The lesson: docs/deeper/02_spring_floor.md, "A better loop". Stuck? ./course check loop --hint
+// Your turn: a better loop. Edit mine_method.hpp (./course check loop makes it): fill the gap
+// marked YOUR TURN. Then run ./course check loop, or once ./course check loop --watch. The lesson:
+// docs/deeper/02_spring_floor.md, "A better loop". Stuck? ./course check loop --hint
 
 #pragma once
 #include <optional>
@@ -13,8 +13,8 @@ namespace bounce {
 /// number, a vector, or a matrix with a column for each ball.
 template <class Vector>
 struct MyMethod {
-  // What it may remember from one step to the next [m/s^2]: empty before the first step. Most methods
-  // remember nothing, and leave this as it is.
+  // What it may remember from one step to the next [m/s^2]: empty before the first step. Most
+  // methods remember nothing, and leave this as it is.
   std::optional<Vector> acceleration;
 
   // [step]
@@ -27,8 +27,8 @@ struct MyMethod {
   //   depend on the place and on the time.
   // - On a spring floor without a damper the ball still bounces after 10 000 bounces.
   // - It asks for the acceleration at most 8 times a step.
-  // Keep accelerations and velocities in a `Vector`, never in `auto`: what a vector's formula says is
-  // computed only when it gets a place of its own.
+  // Keep accelerations and velocities in a `Vector`, never in `auto`: what a vector's formula says
+  // is computed only when it gets a place of its own.
   template <class Scene>
   void operator()([[maybe_unused]] const Scene& scene, [[maybe_unused]] double t,
                   [[maybe_unused]] State<Vector>& state, [[maybe_unused]] double dt) {
