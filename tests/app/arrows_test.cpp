@@ -29,6 +29,13 @@ constexpr double dt = 1e-3;
 constexpr int steps = 1500;           // of each run
 constexpr float pixel_error = 0.01f;  // places in the window are floats: 6e-5 px each
 
+/// All of a contact is looked at, and every 20th step of a flight.
+bool passes_over(Playback& playback, int step) {
+  if (playback.simulation().energy().spring > 0 || step % 20 == 0) return false;
+  playback.step_forward();
+  return true;
+}
+
 RecordingCanvas picture_of(const Demo& demo, const Playback& playback) {
   View view;
   view.forces = true;
@@ -65,6 +72,7 @@ Seen check_arrows_on_a_line(const test::Values& settings) {
   Playback playback(std::move(run));
   Seen seen;
   for (int step = 0; step < steps; ++step) {
+    if (passes_over(playback, step)) continue;
     const RecordingCanvas canvas = picture_of(demo, playback);
     const double force = force_of_step<double>(playback, mass);
     double drawn = 0, error = 0;
@@ -105,6 +113,7 @@ Seen check_arrows_in_space(const test::Values& settings, const Plane& plane) {
   Playback playback(std::move(run));
   Seen seen;
   for (int step = 0; step < steps; ++step) {
+    if (passes_over(playback, step)) continue;
     const RecordingCanvas canvas = picture_of(demo, playback);
     const Camera camera = camera_for(playback, look, layout::scene, false);
     const Vector3d ball = state_in<Vector3d>(playback.shown_values()).position;
@@ -140,7 +149,7 @@ Seen check_arrows_in_space(const test::Values& settings, const Plane& plane) {
 
 TEST_CASE("the arrows of stages 1 to 3 and 6 are the force that moves the ball") {
   const Seen fall = check_arrows_on_a_line<FreeFall, FreeFallExact>({});
-  CHECK(fall.flight == steps);
+  CHECK(fall.flight > 20);
   CHECK(check_arrows_on_a_line<SpringFloor, SpringFloorExact>({}).contact > 20);
   for (const char* contact : {"may-pull", "push-only"}) {
     CAPTURE(contact);
@@ -185,6 +194,7 @@ TEST_CASE("the arrows between two balls of stage 5 are the force that moves them
     CAPTURE(contact);
     for (int step = 0; step < steps; ++step) {
       CAPTURE(step);
+      if (passes_over(playback, step)) continue;
       const RecordingCanvas canvas = picture_of(demo, playback);
       const Camera camera = camera_for(playback, View{});
       const std::vector<double> before = playback.shown_values();
