@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <sstream>
 
 #include "physics/text.hpp"
 
@@ -40,10 +39,14 @@ bool InputFile::next_line() {
   return is_there;
 }
 
-std::string InputFile::rest() {
-  std::ostringstream text;
-  text << file_.rdbuf();
-  return text.str();
+std::string InputFile::whole() {
+  if (!std::filesystem::is_regular_file(path_)) refuse("it is no file that can be read");
+  std::string text(std::filesystem::file_size(path_), ' ');
+  file_.seekg(0);
+  if (!file_.read(text.data(), static_cast<std::streamsize>(text.size()))) {
+    refuse("it must be a file that can be read");
+  }
+  return text;
 }
 
 std::vector<std::string> InputFile::words(char separator) const {

@@ -20,8 +20,8 @@ class InputFile {
   /// mark that some editors put before the first one. False at the end of the file.
   bool next_line();
   const std::string& line() const { return line_; }
-  /// Takes all that comes after that line, as it stands there.
-  std::string rest();
+  /// The whole of a file on a disk, as it stands there.
+  std::string whole();
 
   /// The words of the line between separators, without the blanks around them.
   std::vector<std::string> words(char separator) const;

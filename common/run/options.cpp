@@ -67,9 +67,9 @@ std::uint64_t seed_from(const std::string& text) {
 double step_from(const std::string& text, const Simulation& simulation) {
   if (text != "auto") {
     const std::optional<double> value = parse_number(text);
-    if (value && *value >= 1e-15 && *value <= 1e15) return *value;
-    throw BadInput("--dt '" + text +
-                   "' is not allowed: it must be a number from 1e-15 to 1e15 (s), or auto");
+    if (value && Simulation::valid_dt.contains(*value)) return *value;
+    throw BadInput("--dt '" + text + "' is not allowed: it must be " +
+                   number_in(Simulation::valid_dt, "s") + ", or auto");
   }
   const std::optional<ContactNumbers> contact = simulation.contact();
   return contact ? comfortable_step(contact->omega0, contact->zeta) : simulation.dt();
@@ -161,7 +161,8 @@ bool parse_command_line(int argc, const char* const* argv, const StageName& stag
   }
   if (words.dt) simulation.use_dt(step_from(*words.dt, simulation));
   if (words.tolerance) {
-    simulation.use_tolerance(number("--tolerance", *words.tolerance, {1e-15, 1}, ""));
+    simulation.use_tolerance(
+        number("--tolerance", *words.tolerance, Simulation::valid_tolerance, ""));
   }
   simulation.restart();
   if (!options.load.empty()) {

@@ -82,15 +82,12 @@ long long count_of(const std::string& path, const Lines& lines, const std::strin
 }
 
 std::string read_text(const std::string& path) {
-  std::string text = InputFile("--load", path, made_by).rest();
+  std::string text = InputFile("--load", path, made_by).whole();
   if (text.rfind("\xEF\xBB\xBF", 0) == 0) text.erase(0, 3);  // some editors' mark
-  // Another system's ends of lines, in a file without raw numbers.
-  if (text.find("\r\n") == text.find('\n') - 1) {
-    std::string unix_text;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-      if (text[i] != '\r' || i + 1 == text.size() || text[i + 1] != '\n') unix_text += text[i];
-    }
-    text = unix_text;
+  // Another system's ends of lines. (Where numbers stand raw they would be damage, and stay so.)
+  const std::size_t first_end = text.find('\n');
+  if (first_end != text.npos && first_end > 0 && text[first_end - 1] == '\r') {
+    std::erase(text, '\r');
   }
   return text;
 }

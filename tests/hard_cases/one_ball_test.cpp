@@ -201,7 +201,7 @@ TEST_CASE("hard case: dt = 0 is refused, with the value and what is allowed") {
     const test::Outcome run = run_program("03_damping --headless --dt " + dt);
     CAPTURE(run.err);
     CHECK(run.code == 2);
-    CHECK(run.err.find("from 1e-15 to 1e15") != std::string::npos);
+    CHECK(run.err.find("from 1e-15 to 1e+15") != std::string::npos);
   }
 }
 
