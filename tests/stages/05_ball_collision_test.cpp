@@ -566,7 +566,7 @@ TEST_CASE("stage 5: a balls file is refused with its line and column") {
   CHECK(message_for(header + good + good) == "accepted");  // coincident: deep overlap is allowed
   CHECK(message_for("radius, mass ,x,y,z,vx,vy,vz\r\n0.1,1,0,0,0,0,0,0\r\n\r\n") == "accepted");
   // What spreadsheets and editors make of it.
-  for (const std::string& same :
+  for (const std::string same :
        {"mass;radius;x;y;z;vx;vy;vz\n1;0.1;0;0;0;0;0;0\n",
         "mass\tradius\tx\ty\tz\tvx\tvy\tvz\n1\t0.1\t0\t0\t0\t0\t0\t0\n",
         "\"Mass\",\"Radius\",\"X\",\"Y\",\"Z\",\"vX\",\"vY\",\"vZ\"\n1,0.1,0,0,0,0,0,0\n",
