@@ -128,7 +128,7 @@ void print_input() {
         files},
        {"More than 1e11 steps", clock_that_stands},
        {"More than 1e8 rows", bytes_of_a_trace},
-       {"10 000 command lines at random, under the sanitizers", random_words},
+       {"2500 command lines at random, under the sanitizers", random_words},
        {"Damaged files at random: `--balls` and saved states, fed by libFuzzer",
         one_letter_changed}});
 }
