@@ -5,6 +5,7 @@
 #include "app/drawing.hpp"
 #include "app/panel.hpp"
 #include "app/widgets.hpp"
+#include "run/step_warning.hpp"
 
 namespace bounce {
 

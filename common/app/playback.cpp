@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "physics/events/event_driven.hpp"
-#include "run/headless.hpp"
+#include "run/step_warning.hpp"
 
 namespace bounce {
 namespace {

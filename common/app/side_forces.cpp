@@ -5,12 +5,12 @@
 
 #include "app/drawing.hpp"
 #include "app/palette.hpp"
+#include "app/peak_force.hpp"
 
 namespace bounce {
 namespace {
 
 constexpr float per_metre_per_second = 9;  // px of the velocity arrow
-constexpr double peak_hold = 0.7;          // s that the largest contact force stays in sight
 
 /// An arrow up or down from `from`, with its name and size beside the tip: on the spring's side
 /// (left) or on the damper's.
@@ -42,25 +42,13 @@ void draw_forces(Canvas& canvas, const Playback& playback, const View& view,
   }
   if (!view.forces) return;
 
-  // A contact is over in two frames: its largest force stays in sight for a while.
-  Forces<double> peak{};
-  double age = peak_hold;
-  for (auto point = playback.trace().rbegin(); point != playback.trace().rend(); ++point) {
-    if (playback.shown_time() - point->t > peak_hold) break;
-    if (point->t > playback.shown_time()) continue;
-    const Forces<double> then = ball.forces(point->t, state_in<double>(point->values));
-    if (then.spring <= peak.spring) continue;
-    peak = then;
-    age = playback.shown_time() - point->t;
-  }
   const Point contact{centre.x, std::min(ground, centre.y + radius)};
   const Point left{contact.x - 10, contact.y}, right{contact.x + 10, contact.y};
   if (now.spring != 0) {
     draw_force(canvas, left, now.spring, weight, palette::spring, 1, "spring", Align::right);
     draw_force(canvas, right, now.damper, weight, palette::damper, 1, "damper", Align::left);
-  } else if (peak.spring > 0) {
-    const double share = 0.9 * (1 - age / peak_hold);
-    draw_force(canvas, {left.x, ground}, peak.spring, weight, palette::spring, share,
+  } else if (const auto peak = peak_force<double>(playback, ball.forces)) {
+    draw_force(canvas, {left.x, ground}, peak->spring, weight, palette::spring, 0.9 * peak->share,
                "spring, peak", Align::right);
   }
   const double speed = state_in<double>(playback.shown_values()).velocity;

@@ -5,6 +5,7 @@
 
 #include "app/drawing.hpp"
 #include "app/palette.hpp"
+#include "app/peak_force.hpp"
 
 namespace bounce {
 
@@ -12,7 +13,6 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double peak_hold = 0.7;    // s that the largest contact force stays in sight
 constexpr double arrow_time = 0.12;  // s: a velocity arrow shows the way of this time
 
 /// An arrow from `foot` (shifted sideways in the picture) along a force.
@@ -56,27 +56,13 @@ void draw_forces(Canvas& canvas, const Camera& camera, const Playback& playback,
              ball.landings ? "" : "weight");  // there its words would cover the marks
   if (!view.forces) return;
 
-  // A contact is over in two frames: its largest force stays in sight where it was.
-  Forces<Vector3d> peak{};
-  peak.spring.setZero();  // Eigen leaves it as it was in memory
-  Vector3d place = state.position;
-  double age = peak_hold;
-  for (auto point = playback.trace().rbegin(); point != playback.trace().rend(); ++point) {
-    if (playback.shown_time() - point->t > peak_hold) break;
-    if (point->t > playback.shown_time()) continue;
-    const Forces<Vector3d> then = ball.forces(point->t, state_in<Vector3d>(point->values));
-    if (then.spring.norm() <= peak.spring.norm()) continue;
-    peak = then;
-    place = state_in<Vector3d>(point->values).position;
-    age = playback.shown_time() - point->t;
-  }
   if (now.spring.norm() > 0) {
     const Vector3d foot = ball.plane.foot(state.position);
     draw_force(canvas, camera, foot, -10, now.spring, weight, palette::spring, 1, "spring");
     draw_force(canvas, camera, foot, 10, now.damper, weight, palette::damper, 1, "damper");
-  } else if (peak.spring.norm() > 0) {
-    draw_force(canvas, camera, ball.plane.foot(place), -10, peak.spring, weight, palette::spring,
-               0.9 * (1 - age / peak_hold), "spring, peak");
+  } else if (const auto peak = peak_force<Vector3d>(playback, ball.forces)) {
+    draw_force(canvas, camera, ball.plane.foot(peak->ball.position), -10, peak->spring, weight,
+               palette::spring, 0.9 * peak->share, "spring, peak");
   }
 }
 

@@ -72,13 +72,18 @@ std::string join(const std::vector<std::string>& words, std::string_view separat
   return all;
 }
 
+std::string trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return "";
+  return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
+}
+
 std::vector<std::string> split(std::string_view text, char separator) {
-  std::vector<std::string> words(1);
-  for (const char letter : text) {
-    if (letter == separator)
-      words.emplace_back();
-    else
-      words.back() += letter;
+  std::vector<std::string> words;
+  for (std::size_t end = 0; end != std::string_view::npos;) {
+    end = text.find(separator);
+    words.push_back(trimmed(text.substr(0, end)));
+    text.remove_prefix(end == std::string_view::npos ? 0 : end + 1);
   }
   return words;
 }

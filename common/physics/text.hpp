@@ -36,7 +36,10 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
 /// "a, b, c"
 std::string join(const std::vector<std::string>& words, std::string_view separator = ", ");
 
-/// "a,b,c" cut at the commas; an empty text gives one empty word.
+/// Without the blanks before and after it.
+std::string trimmed(std::string_view text);
+
+/// "a, b,c" cut at the commas, without the blanks around them; an empty text gives one empty word.
 std::vector<std::string> split(std::string_view text, char separator = ',');
 
 }  // namespace bounce

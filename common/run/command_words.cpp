@@ -40,44 +40,12 @@ void declare(CLI::App& app, Words& words, Options& options) {
   app.add_option("--seed", words.seed, "for scenes with chance in them (default 1)")
       ->type_name("N");
   app.add_flag("--calm", options.calm, "no trail and nothing that flashes or shakes");
-  app.allow_extras();  // to say ourselves what was not understood
 }
 
-/// The words in CLI11's order, from the last to the first. Two things that it does not see as we
-/// do: "--csv=" without a value would take the next word for it, and "--at -inf" has a value,
-/// though it looks like an option.
-std::vector<std::string> tidy_words(int argc, const char* const* argv, const CLI::App& app) {
-  std::vector<std::string> words;
-  for (int i = 1; i < argc; ++i) {
-    std::string word = argv[i];
-    if (word.size() > 3 && word.rfind("--", 0) == 0 && word.find('=') == word.size() - 1) {
-      word.pop_back();
-      throw BadInput(word + " '' is not allowed: after " + word + "= there must be a value");
-    }
-    const CLI::Option* option = word.rfind("--", 0) == 0 ? app.get_option_no_throw(word) : nullptr;
-    const std::string next = i + 1 < argc ? argv[i + 1] : "";
-    if (option != nullptr && option->get_expected_max() > 0 && next.size() > 1 && next[0] == '-' &&
-        next[1] != '-' && next != "-h") {
-      word += "=" + next;
-      ++i;
-    }
-    words.insert(words.begin(), word);
-  }
-  return words;
-}
-
-[[noreturn]] void refuse_extra(const CLI::App& app, const std::string& word) {
-  std::vector<std::string> known;
-  for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
-  }
-  if (word.rfind("-", 0) != 0) {
-    throw BadInput("'" + word + "' is not understood: options begin with --, such as --set " +
-                   (word.find('=') == std::string::npos ? "NAME=VALUE" : word));
-  }
-  const std::string name = word.substr(0, word.find('='));
-  throw BadInput("there is no option " + name + did_you_mean(name, known) +
-                 ": --help shows all options");
+std::vector<std::string> names_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) names.push_back(option->get_name());
+  return names;
 }
 
 }  // namespace
@@ -98,18 +66,26 @@ bool read_words(int argc, const char* const* argv, const StageName& stage,
     app.add_option_function<std::string>(option.name, keep, option.meaning)
         ->type_name(option.value);
   }
+  for (int i = 1; i < argc; ++i) {  // CLI11 2.1 takes the next option for the value
+    const std::string_view word = argv[i];
+    if (word.substr(0, 2) == "--" && word.back() == '=') {
+      throw BadInput(std::string(word) + " is not allowed: after the = there must be a value");
+    }
+  }
   try {
-    app.parse(tidy_words(argc, argv, app));
+    app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
     answer("--help", app.help());
     return false;
+  } catch (const CLI::ExtrasError& error) {
+    // "The following argument was not expected: --metod"
+    throw BadInput(error.what() + did_you_mean(app.remaining().front(), names_of(app)) +
+                   "; --help shows the options that are allowed, such as --set mass=2");
   } catch (const CLI::ParseError& error) {
     // "--dt: 1 required S|auto missing" and the like
     throw BadInput(std::string(error.what()) +
                    ": an option takes one value; --help shows them all");
   }
-  if (!app.remaining().empty()) refuse_extra(app, app.remaining().front());
-
   for (const char* option : {"--csv", "--screenshot", "--record", "--save", "--load"}) {
     if (app.count(option) > 0 && app[option]->as<std::string>().empty()) {
       throw BadInput(std::string(option) + " '' is not allowed: it must be the path of a file");

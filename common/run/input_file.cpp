@@ -6,16 +6,6 @@
 #include "physics/text.hpp"
 
 namespace bounce {
-namespace {
-
-std::string without_blanks(const std::string& word) {
-  const std::size_t first = word.find_first_not_of(" \t");
-  if (first == std::string::npos) return "";
-  return word.substr(first, word.find_last_not_of(" \t") - first + 1);
-}
-
-}  // namespace
-
 InputFile::InputFile(std::string option, std::string path, const std::string& hint)
     : option_(std::move(option)),
       path_(std::move(path)),
@@ -49,11 +39,7 @@ std::string InputFile::whole() {
   return text;
 }
 
-std::vector<std::string> InputFile::words(char separator) const {
-  std::vector<std::string> words = split(line_, separator);
-  for (std::string& word : words) word = without_blanks(word);
-  return words;
-}
+std::vector<std::string> InputFile::words(char separator) const { return split(line_, separator); }
 
 double InputFile::number(const std::string& name, std::string_view word, Range valid,
                          const std::string& unit) const {

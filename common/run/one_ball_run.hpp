@@ -2,6 +2,7 @@
 #include <type_traits>
 
 #include "physics/components.hpp"
+#include "physics/concepts.hpp"
 #include "physics/contact.hpp"
 #include "physics/events/one_ball_contacts.hpp"
 #include "physics/forces.hpp"
@@ -44,6 +45,9 @@ struct PartsOfOneBall<Scene, NoPhases, Vector, false> {
 template <class Scene, class Phases>
 struct OneBallWorld {
   using Vector = decltype(Scene::start.position);  // double or Eigen::Vector3d
+  static_assert(SceneFor<Scene, Vector>, "a scene has acceleration, energy and parameters()");
+  static_assert(std::is_same_v<Phases, NoPhases> || PhasesFor<Phases, Vector>,
+                "phases say how a ball moves, and when a phase ends: PhasesFor in concepts.hpp");
   using Ball = State<Vector>;
 
   // Does the closed form also tell what located events need?
@@ -151,9 +155,11 @@ std::optional<ContactNumbers> OneBallWorld<Scene, Phases>::contact_numbers() con
   }
   if constexpr (requires { scene.stiffness; }) {
     double c = 0;
+    ContactLaw law{};
     if constexpr (requires { scene.damping; }) c = scene.damping;
+    if constexpr (requires { scene.contact; }) law = scene.contact;
     return ContactNumbers{natural_frequency(scene.stiffness, scene.mass),
-                          damping_ratio(scene.stiffness, c, scene.mass)};
+                          damping_ratio(scene.stiffness, c, scene.mass), law};
   }
   return std::nullopt;
 }

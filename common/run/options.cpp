@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <optional>
 
-#include "physics/stability.hpp"
 #include "run/command_words.hpp"
-#include "run/headless.hpp"
+#include "run/restitution_error.hpp"
 #include "run/save_load.hpp"
+#include "run/step_warning.hpp"
 
 namespace bounce {
 namespace {
@@ -32,9 +33,9 @@ void set_parameters(const std::vector<std::string>& settings, Simulation& simula
                        "' is not allowed: it must be NAME=VALUE, such as --set " +
                        parameters[0].name + "=" + parameters[0].text());
       }
-      const Parameter& parameter = find_parameter(parameters, setting.substr(0, equals));
+      const Parameter& parameter = find_parameter(parameters, trimmed(setting.substr(0, equals)));
       if (parameter.chooses_defaults == chooses_defaults) {
-        parameter.set(setting.substr(equals + 1));
+        parameter.set(trimmed(setting.substr(equals + 1)));
       }
     }
   }
@@ -49,7 +50,7 @@ void apply_stage_options(const std::vector<StageOption>& of_stage, const Words& 
       throw BadInput("--load brings its own state: leave out " + option.name);
     }
     for (const std::string& setting : words.set) {
-      const std::string name = setting.substr(0, setting.find('='));
+      const std::string name = trimmed(setting.substr(0, setting.find('=')));
       const auto& replaced = option.replaces;
       if (std::find(replaced.begin(), replaced.end(), name) == replaced.end()) continue;
       throw BadInput(option.name + " takes the place of " + name + ": give one of them");
@@ -72,7 +73,7 @@ double step_from(const std::string& text, const Simulation& simulation) {
                    number_in(Simulation::valid_dt, "s") + ", or auto");
   }
   const std::optional<ContactNumbers> contact = simulation.contact();
-  return contact ? comfortable_step(contact->omega0, contact->zeta) : simulation.dt();
+  return contact ? comfortable_step_of(simulation.method(), *contact) : simulation.dt();
 }
 
 void read_times(const Words& words, Options& options, double start) {
@@ -86,8 +87,13 @@ void read_times(const Words& words, Options& options, double start) {
   if (words.at) {
     if (options.sample > 0)
       throw BadInput("--at and --sample exclude each other: give one of them");
-    for (const std::string& text : split(*words.at)) {
+    const std::vector<std::string> times = split(*words.at);
+    for (const std::string& text : times) {
       options.at.push_back(number("--at", text, {start, options.duration}, "s, the --duration"));
+    }
+    if (times.size() == 2 && words.at->find('.') == std::string::npos) {  // a comma decimal?
+      std::cerr << "--at " << *words.at << " is two times, " << times[0] << " s and " << times[1]
+                << " s; a decimal has a point, as in 0.5\n";
     }
     std::sort(options.at.begin(), options.at.end());
   }

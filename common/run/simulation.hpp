@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "physics/contact.hpp"
 #include "physics/energy.hpp"
 #include "physics/parameters.hpp"
 #include "run/energy_book.hpp"
@@ -32,6 +33,7 @@ struct NoClosedForm : std::runtime_error {
 struct ContactNumbers {
   double omega0;  // rad/s
   double zeta;
+  ContactLaw law = ContactLaw::may_pull;
 };
 
 /// Distance to the exact solution: of positions [m] and of velocities [m/s].

@@ -1,10 +1,12 @@
 #pragma once
 #include <Eigen/Core>
 #include <array>
+#include <vector>
 
 #include "physics/contact.hpp"
 #include "physics/energy.hpp"
 #include "physics/neighbour_grid.hpp"
+#include "physics/parameters.hpp"
 #include "physics/state.hpp"
 
 namespace bounce {
@@ -74,6 +76,8 @@ struct BallCollision {
   Eigen::Vector3d momentum(const State<Matrix>& state) const {  // [kg m/s]
     return state.velocity * mass;
   }
+
+  std::vector<Parameter> parameters();
 
   Ball ball(const State<Matrix>& state, Eigen::Index i) const {
     return {state.position.col(i), state.velocity.col(i), radius[i]};
@@ -176,6 +180,23 @@ inline double BallCollision::damper_power(const State<Matrix>& state) const {
     add(from_ball, m.overlap, m.separation_speed);
   });
   return power;
+}
+
+inline std::vector<Parameter> BallCollision::parameters() {
+  const char* meaning = "the same for floor and walls";
+  return {describe::gravity(gravity),
+          describe::stiffness(stiffness),
+          describe::damping(damping),
+          describe::contact(contact),
+          describe::floor(floor),
+          {"floor_stiffness", "N/m", meaning, &floor_stiffness, {1e-30, 1e30}, {500, 1e5}},
+          {"floor_damping", "N s/m", meaning, &floor_damping, {0, 1e30}, {0, 300}},
+          {"tray",
+           "m",
+           "walls at x = 0 and LX, z = 0 and LZ; 0 for none",
+           Components(tray),
+           {0, 1e15},
+           {0, 5}}};
 }
 
 }  // namespace bounce

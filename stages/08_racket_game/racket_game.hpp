@@ -1,9 +1,12 @@
 #pragma once
 #include <Eigen/Core>
 #include <algorithm>
+#include <vector>
 
+#include "physics/components.hpp"
 #include "physics/contact.hpp"
 #include "physics/energy.hpp"
+#include "physics/parameters.hpp"
 #include "physics/shapes.hpp"
 #include "physics/state.hpp"
 
@@ -131,6 +134,23 @@ struct Racket {
     return {kinetic_energy(mass, state.velocity),
             gravitational_energy(mass, gravity, state.position.y()),
             spring_energy(stiffness, overlap(t, state))};
+  }
+
+  std::vector<Parameter> parameters() {
+    Parameter place = describe::position(components(disc.centre), 2);
+    place.name = "racket_position";
+    place.meaning = "the disc's centre x,y,z at the start; in the game its home";
+    Parameter size = describe::radius(disc.radius);
+    size.name = "racket_radius";
+    size.meaning = "of the disc; in the game it shrinks to half";
+    return {describe::mass(mass),
+            describe::gravity(gravity),
+            describe::radius(radius),
+            describe::stiffness(stiffness),
+            describe::damping(damping),
+            describe::contact(contact),
+            place,
+            size};
   }
 };
 

@@ -25,15 +25,24 @@ std::string contact_with_explicit_euler() {
 
 std::string nearly_unstable() {
   const auto [lowest, highest] =
-      hard_cases::restitution_range(methods::semi_implicit_euler, 0, 1.9, 1000);
+      hard_cases::restitution_range(methods::semi_implicit_euler, {0}, 1.9, 1000);
   return "at $" + omega0_dt + " = 1.9$ an undamped ball comes back with " + digits(lowest, 2) +
          " to " + digits(highest) + " times its speed, as the steps happen to fall";
+}
+
+std::string nearly_unstable_and_damped() {
+  const double limit = methods::semi_implicit_euler.largest_stable_step(1, 1);
+  const auto [lowest, highest] =
+      hard_cases::restitution_range(methods::semi_implicit_euler, {1}, 0.99 * limit, 1000);
+  return "at critical damping and 99 % of the stable limit a ball that should stay leaves with up "
+         "to " +
+         digits(highest) + " times its speed";
 }
 
 std::string lucky_step() {
   const auto error = [](double step) {
     const auto [lowest, highest] =
-        hard_cases::restitution_range(methods::semi_implicit_euler, 0, step, 1000);
+        hard_cases::restitution_range(methods::semi_implicit_euler, {0}, step, 1000);
     return digits(std::max(1 - lowest, highest - 1), 1);
   };
   return "a test at $" + omega0_dt + " = 1$ alone finds a restitution wrong by " + error(1) +
@@ -125,6 +134,7 @@ std::string steps_of_a_frame() {
 void print_steps() {
   print_cases({{"A ball bounces higher each time", contact_with_explicit_euler},
                {"Stable, and wrong", nearly_unstable},
+               {"The same with a damper", nearly_unstable_and_damped},
                {"One lucky step", lucky_step},
                {"A stiff contact: m = 0.021 kg, k = 3.1e6 N/m", stiff_contact},
                {"A dust grain of 1e-12 kg, k = 1e9 N/m", dust_grain},

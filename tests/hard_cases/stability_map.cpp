@@ -46,7 +46,7 @@ std::string ranges(const std::vector<double>& steps, int phases) {
   std::string csv = "method,omega0 dt,lowest restitution,highest restitution\n";
   for (const Method method : bouncing) {
     for (const double step : steps) {
-      const RestitutionRange range = restitution_range(method, 0, step, phases);
+      const RestitutionRange range = restitution_range(method, {0}, step, phases);
       csv += name_of(method) + "," + to_text(step) + "," + digits(range.lowest, 4) + "," +
              digits(range.highest, 4) + "\n";
     }

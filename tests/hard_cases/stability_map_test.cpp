@@ -53,14 +53,14 @@ TEST_CASE("hard case: the committed map is what the methods do today") {
 TEST_CASE("hard case: below the limit an undamped bounce is wrong, within sqrt(1 - w^2/4)") {
   for (const double w : {0.1, 0.37, 0.5, 0.83, 1.3, 1.9}) {
     const double bound = std::sqrt(1 - w * w / 4);
-    const RestitutionRange range = restitution_range(methods::semi_implicit_euler, 0, w, 1000);
+    const RestitutionRange range = restitution_range(methods::semi_implicit_euler, {0}, w, 1000);
     CAPTURE(w);
     CHECK(range.lowest >= bound);
     CHECK(range.highest <= 1 / bound);
     CHECK(range.highest - range.lowest > 0.1 * (1 / bound - bound));  // and not by luck right
   }
   // Where a contact is a whole number of steps, luck: right at every phase, and it proves nothing.
-  const RestitutionRange lucky = restitution_range(methods::semi_implicit_euler, 0, 1, 1000);
+  const RestitutionRange lucky = restitution_range(methods::semi_implicit_euler, {0}, 1, 1000);
   CHECK(std::abs(lucky.lowest - 1) < 1e-12);  // some 4 roundings a step
   CHECK(std::abs(lucky.highest - 1) < 1e-12);
 }
@@ -70,7 +70,8 @@ TEST_CASE("hard case: the step for a wanted restitution keeps its promise at eve
     for (const double accuracy : {0.1, 0.03, 0.01, 0.001}) {
       const double w = restitution_step(1, zeta, accuracy);
       const double e = restitution({1, 2 * zeta}, 1);
-      const RestitutionRange range = restitution_range(methods::semi_implicit_euler, zeta, w, 200);
+      const RestitutionRange range =
+          restitution_range(methods::semi_implicit_euler, {zeta}, w, 200);
       CAPTURE(zeta);
       CAPTURE(accuracy);
       CAPTURE(w);

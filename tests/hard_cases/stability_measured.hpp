@@ -17,11 +17,13 @@ struct LinearContact {
   }
 };
 
-/// A wall at 0, with the slides' contact and no gravity.
+/// A wall at 0, without gravity.
 struct Wall {
   double zeta;
+  bool only_pushes = false;
   double acceleration(double /*t*/, const State<double>& state) const {
-    return state.position < 0 ? -state.position - 2 * zeta * state.velocity : 0;
+    const double push = -state.position - 2 * zeta * state.velocity;
+    return state.position < 0 ? (only_pushes ? std::max(0.0, push) : push) : 0;
   }
 };
 
@@ -66,17 +68,17 @@ struct RestitutionRange {
   double lowest, highest;
 };
 
-/// The restitution of one bounce off the wall, at so many phases of the step grid.
-inline RestitutionRange restitution_range(Method method, double zeta, double omega0_dt,
+/// The restitution of one bounce off the wall, at so many phases of the step grid. What has not
+/// left by t = 100 is at rest.
+inline RestitutionRange restitution_range(Method method, const Wall& wall, double omega0_dt,
                                           int phases) {
   RestitutionRange range{1e9, 0};
   for (int phase = 0; phase < phases; ++phase) {
     with_step(method, [&](auto step) {
-      const Wall wall{zeta};
       State<double> state{(phase + 0.5) / phases * omega0_dt, -1};
       int steps = 0;
       do step(wall, 0, state, omega0_dt);
-      while ((state.position < 0 || state.velocity < 0) && ++steps < 100000);
+      while ((state.position < 0 || state.velocity < 0) && ++steps * omega0_dt < 100);
       range.lowest = std::min(range.lowest, state.velocity);
       range.highest = std::max(range.highest, state.velocity);
     });

@@ -110,6 +110,36 @@ TEST_CASE("landing on a time between two steps does not disturb the steps after 
   }
 }
 
+TEST_CASE("blanks beside a comma or an equals sign are no part of a number") {
+  const std::string sums = run_program("03_damping --csv - --at 0.5,1 --set stiffness=2000").out;
+  CHECK(run_program("03_damping --csv - --at '0.5, 1' --set 'stiffness = 2000'").out == sums);
+  CHECK(lines(sums).size() == 3);
+}
+
+TEST_CASE("two whole times may be meant as one decimal: the run says how it reads them") {
+  const Outcome run = run_program("01_free_fall --csv - --at 0,5");
+  CHECK(contains(run.err, "--at 0,5 is two times, 0 s and 5 s; a decimal has a point"));
+  CHECK(lines(run.out).size() == 3);
+  CHECK(lines(run_program("01_free_fall --csv - --at 0.5,1").err).size() == 1);
+}
+
+TEST_CASE("rows every tenth of a second have the times that one writes") {
+  const std::vector<std::string> rows =
+      lines(run_program("01_free_fall --csv - --sample 0.1 --duration 1").out);
+  REQUIRE(rows.size() == 12);
+  for (const auto& [row, t] : {std::pair{4, "0.3,"}, {7, "0.6,"}, {8, "0.7,"}, {11, "1,"}}) {
+    CHECK(rows[static_cast<std::size_t>(row)].rfind(t, 0) == 0);
+  }
+}
+
+TEST_CASE(
+    "what dampers took is no drift: without an exact energy to compare, the run says change") {
+  const std::string drop = "05_ball_collision --headless --duration 0.1 --set scene=drop ";
+  CHECK(contains(run_program(drop + "--set count=30").err, " energy_change="));
+  CHECK(contains(run_program("05_ball_collision --headless --duration 0.1").err, " energy_drift="));
+  CHECK(contains(run_program("03_damping --headless --duration 1").err, " energy_drift="));
+}
+
 TEST_CASE("every run ends with one summary line on standard error") {
   const Outcome run = run_program("03_damping --headless");
   CHECK(run.code == 0);
@@ -254,9 +284,9 @@ TEST_CASE(
       {"--csv .", "--csv", ".", "file"},
       {"--save /nowhere/x --headless", "--save", "/nowhere/x", "folder"},
       {"--csv ''", "--csv", "''", "path"},
-      {"--csv= --calm", "--csv", "''", "value"},
-      {"--dt -inf", "--dt", "-inf", "1e-15"},
-      {"--at -inf --csv -", "--at", "-inf", "0 to 10"},
+      {"--csv= --calm", "--csv=", "", "value"},
+      {"--dt=-inf", "--dt", "-inf", "1e-15"},
+      {"--at=-inf --csv -", "--at", "-inf", "0 to 10"},
       {"--screenshot ''", "--screenshot", "''", "path"},
       {"--load /nowhere/x --dt 1e-3", "--load", "--dt", "leave out"},
   };

@@ -81,24 +81,9 @@ std::vector<Parameter> BallsWorld::parameters() {
       "gap",       "m",      "between the balls at the start; in pair: how far off centre",
       &choice.gap, {0, 1e6}, gaps[chosen],
       true};
-  Parameter floor_stiffness{"floor_stiffness",      "N/m",         "the same for floor and walls",
-                            &scene.floor_stiffness, {1e-30, 1e30}, {500, 1e5}};
-  Parameter floor_damping{"floor_damping",      "N s/m",   "the same for floor and walls",
-                          &scene.floor_damping, {0, 1e30}, {0, 300}};
-  Parameter tray{
-      "tray",    "m",   "walls at x = 0 and LX, z = 0 and LZ; 0 for none", Components(scene.tray),
-      {0, 1e15}, {0, 5}};
-  return {which,
-          count,
-          gap,
-          describe::gravity(scene.gravity),
-          describe::stiffness(scene.stiffness),
-          describe::damping(scene.damping),
-          describe::contact(scene.contact),
-          describe::floor(scene.floor),
-          floor_stiffness,
-          floor_damping,
-          tray};
+  std::vector<Parameter> all{which, count, gap};
+  for (const Parameter& of_scene : scene.parameters()) all.push_back(of_scene);
+  return all;
 }
 
 }  // namespace bounce

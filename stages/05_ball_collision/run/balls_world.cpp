@@ -33,8 +33,9 @@ std::optional<ContactNumbers> BallsWorld::hardest_contact() const {
     lightest = std::min(lightest, mass);
   }
   std::optional<ContactNumbers> hardest;
-  const auto consider = [&hardest](double k, double c, double mass) {
-    const ContactNumbers contact{natural_frequency(k, mass), damping_ratio(k, c, mass)};
+  const auto consider = [&](double k, double c, double mass) {
+    const ContactNumbers contact{natural_frequency(k, mass), damping_ratio(k, c, mass),
+                                 scene.contact};
     const auto limit = [](const ContactNumbers& of) {
       return semi_implicit_euler_limit(of.zeta) / of.omega0;
     };

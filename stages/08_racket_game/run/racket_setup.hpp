@@ -30,7 +30,7 @@ struct RacketSetup {
   }
   ContactNumbers contact_numbers() const {
     return {natural_frequency(racket.stiffness, racket.mass),
-            damping_ratio(racket.stiffness, racket.damping, racket.mass)};
+            damping_ratio(racket.stiffness, racket.damping, racket.mass), racket.contact};
   }
 };
 
