@@ -79,6 +79,12 @@ TEST_CASE("every command in the lessons runs") {
   CHECK(commands > 10);
 }
 
+TEST_CASE("the recorded hand in the clip of stage 8 keeps the ball up") {
+  const Outcome outcome = run_program("08_racket_game --headless --duration 7.2 --replay " +
+                                      quoted(BOUNCE_SOURCE_DIR "/docs/images/08_racket_game.txt"));
+  CHECK_MESSAGE(outcome.err.find("hits=5 lost=no") != std::string::npos, outcome.err);
+}
+
 // ---- The tool itself, on a small project of its own ---------------------------------------------
 
 namespace {
