@@ -13,12 +13,12 @@ picture() {
   shift 3
   "$bin/$program" --screenshot "$work/window.png" "$@"
   ffmpeg -loglevel error -y -i "$work/window.png" \
-    -filter_complex "[0]$filter,split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=none" "$file"
+    -filter_complex "[0]${filter},split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=none" "$file"
 }
 scene=crop=748:540:0:0
 side=crop=580:508:16:10 # without what is still to come
 energy='split[s][e];[s]crop=580:532:16:4[s];[e]crop=92:532:750:4[e];[s][e]hstack'
-plot="split[w][p];[w]$energy[w];[p]crop=420:178:420:540,pad=672:178:126:0:0xfafaf7[p];[w][p]vstack"
+plot="split[w][p];[w]${energy}[w];[p]crop=420:178:420:540,pad=672:178:126:0:0xfafaf7[p];[w][p]vstack"
 
 picture 01_free_fall.png "$side" 01_free_fall --dt 0.1 --duration 0.9
 picture 02_spring_floor.png "$energy" 02_spring_floor --set stiffness=2000 --duration 2.34
@@ -27,7 +27,7 @@ picture 03_damping.png "$plot" 03_damping --set damping=18 --duration 2.2
 picture 03_pull.png "$energy" 03_damping --set damping=43 --dt 0.0001 --duration 0.458
 picture 04_three_dimensions.png "$scene" 04_three_dimensions --duration 2.05
 picture 04_from_above.png "$scene" 04_three_dimensions --duration 2.05 --from-above
-picture 05_ball_collision.png "$scene" 05_ball_collision --set scene=break --duration 1.15
+picture 05_ball_collision.png "$scene" 05_ball_collision --set scene=break --duration 0.95
 picture 05_tower.png "$scene" 05_ball_collision --set scene=tower --set gap=0.1 --duration 1.53
 picture 05_drop.png "$scene" 05_ball_collision --set scene=drop --set count=1000 --duration 0.62
 picture 06_oscillating_floor.png "$energy" 06_oscillating_floor --dt 0.0001 --duration 9.2
@@ -39,7 +39,7 @@ picture 06_bifurcation.png null 06_oscillating_floor --sweep amplitude=0.05,0.09
 
 # A recorded hand: it sends the ball from side to side.
 "$bin/08_racket_game" --replay 08_racket_game.txt --duration 7.2 --record "$work/clip.gif"
-ffmpeg -loglevel error -y -i "$work/clip.gif" -vf "fps=12.5,crop=720:458:120:47,scale=600:-1:flags=area,
+ffmpeg -loglevel error -y -i "$work/clip.gif" -vf "fps=12.5,drawbox=0:0:300:60:0xfafaf7:fill,crop=720:504:120:6,scale=600:-1:flags=area,
   split[a][b];[a]palettegen=max_colors=32:stats_mode=diff[p];
   [b][p]paletteuse=dither=none:diff_mode=rectangle" 08_racket_game.gif
 
