@@ -40,6 +40,7 @@ void declare(CLI::App& app, Words& words, Options& options) {
   app.add_option("--seed", words.seed, "for scenes with chance in them (default 1)")
       ->type_name("N");
   app.add_flag("--calm", options.calm, "no trail and nothing that flashes or shakes");
+  app.add_flag("--from-above", options.from_above, "in space: look straight down (the key T)");
 }
 
 std::vector<std::string> names_of(const CLI::App& app) {

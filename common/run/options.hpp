@@ -40,6 +40,7 @@ struct Options {
   std::uint64_t seed = 1;
   bool headless = false;  // also when a file is asked for that needs no window
   bool calm = false;
+  bool from_above = false;
   std::map<std::string, std::string> of_stage;  // the stage's own options that were given, as text
 };
 

@@ -36,9 +36,9 @@ struct FreeFall {
   }
 };
 
-/// The loop, once around: force -> acceleration -> velocity -> position. It will
-/// never change again, and so it lives in common/physics/methods/semi_implicit_euler.hpp, under its
-/// name in the field: semi_implicit_euler. A test shows that the two are equal to the bit.
+/// The loop, once around: force -> acceleration -> velocity -> position. It does not know which
+/// force it is, and so it lives in common/physics/methods/semi_implicit_euler.hpp, under its name
+/// in the field: semi_implicit_euler. A test shows that the two are equal to the bit.
 // [loop]
 template <class Scene, class Vector>
 void fall_one_step(const Scene& scene, double t, State<Vector>& state, double dt) {

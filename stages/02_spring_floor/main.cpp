@@ -6,7 +6,7 @@ using namespace bounce;
 
 int main(int argc, char** argv) {
   Demo demo = side_demo<SpringFloor, SpringFloorExact>();
-  demo.stage = {"02_spring_floor", "a ball that bounces on a floor made of a spring"};
+  demo.stage = {"02_spring_floor", "a ball that bounces on a floor that is a spring"};
   demo.title = "Stage 2: spring floor";
   demo.question = "A softer or a harder floor: on which of them does the ball come back higher?";
   demo.sliders = {"stiffness", "position"};

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "docs/lesson_values.hpp"
 #include "run_program.hpp"
 
 using bounce::test::read_file;
@@ -123,6 +124,18 @@ TEST_CASE("a lesson is short, and says it in plain words") {
                   counts.sentences, " sentences");
     for (const Forbidden& one : forbidden) {
       CHECK_MESSAGE(text.find(one.words) == std::string::npos, "'", one.words, "': ", one.reason);
+    }
+  }
+}
+
+TEST_CASE(
+    "a measured number in a sentence of a lesson has a marker: it is checked, or says why not") {
+  for (const std::string& lesson : all_lessons()) {
+    if (lesson == "your_project") continue;  // nothing there was measured
+    const std::string file = "docs/" + lesson + ".md";
+    const std::string text = read_file(std::string(BOUNCE_SOURCE_DIR) + "/" + file);
+    for (const bounce::test::Finding& one : bounce::test::unmarked_numbers(text)) {
+      FAIL_CHECK(file << ":" << one.line << ": " << one.message);
     }
   }
 }

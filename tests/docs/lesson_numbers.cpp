@@ -321,6 +321,29 @@ void first_apex() {
   }
 }
 
+/// The damping at which the ball comes back to half its height, and from which on it stays down.
+void turning_points() {
+  header({"the ball", "damping [N s/m]"});
+  const auto smallest = [](const auto& holds) {
+    double below = 5, above = 200;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = (below + above) / 2;
+      (holds(middle) ? above : below) = middle;
+    }
+    return text("%.1f", above);
+  };
+  row({"comes back to half its height", smallest([](double c) {
+         const Damping scene = damped(c);
+         State<double> up{};
+         return !lift_off(scene, up) ||
+                up.position + up.velocity * up.velocity / (2 * scene.gravity) < 0.5;
+       })});
+  row({"stays down", smallest([](double c) {
+         State<double> up{};
+         return !lift_off(damped(c), up);
+       })});
+}
+
 /// Restitution of one touch after the other, with gravity: it depends on the speed.
 void bounces() {
   header({"touch", "speed in, `may-pull` [m/s]", "restitution", "speed in, `push-only` [m/s]",
@@ -413,7 +436,7 @@ void slope_hops() {
   header({"tilt", "stiffness [N/m]", "hop 1 [m]", "hop 2 [m]", "hop 3 [m]", "hop 4 [m]",
           "from touch to touch [s]"});
   for (const double degrees : {10.0, 20.0}) {
-    for (const double stiffness : {1e6, 1e4}) {
+    for (const double stiffness : {1e6, 1e5, 1e4}) {
       const double angle = degrees * std::numbers::pi / 180;
       TiltedPlane scene;
       scene.damping = 0;
@@ -476,6 +499,7 @@ const bounce::test::Table tables[] = {
     {"spring_error", [] { bounce_error<SpringFloor, SpringFloorExact>({}); }},
     {"restitution", restitution_table},
     {"first_apex", first_apex},
+    {"turning_points", turning_points},
     {"bounces", bounces},
     {"rest", rest},
     {"stable_steps", stable_steps},

@@ -2,19 +2,23 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <sstream>
-#include <stdexcept>
+
+#include "docs/lesson_values.hpp"
 
 namespace bounce::test {
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
+}
+
 namespace {
 
 namespace fs = std::filesystem;
 using Lines = std::vector<std::string>;
-
-/// What only an author can mend.
-struct Mistake : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 Lines lines_of(const std::string& text) {
   Lines lines;
@@ -27,12 +31,6 @@ std::string text_of(const Lines& lines) {
   std::string text;
   for (const std::string& line : lines) text += line + "\n";
   return text;
-}
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
 }
 
 bool is_fence(const std::string& line) { return line.rfind("```", 0) == 0; }
@@ -94,12 +92,16 @@ Lines difference(const Lines& a, const Lines& b) {
   return lines;
 }
 
+}  // namespace
+
 Lines output_of(const std::string& command, const Runner& run) {
   const Outcome outcome = run(command);
   if (outcome.code == 0) return lines_of(outcome.out);
   throw Mistake(command + " ended with exit code " + std::to_string(outcome.code) + ": " +
                 outcome.err);
 }
+
+namespace {
 
 /// The table that `--list` prints in columns; its header line tells where they begin.
 Lines parameter_table(const std::string& stage, const Runner& run) {
@@ -203,7 +205,7 @@ struct Marker {
     }
     kind = line.substr(begin.size(), colon - begin.size());
     what = trimmed(line.substr(colon + 2, line.size() - end.size() - colon - 2));
-    const Lines kinds{"cut", "diff", "run", "list", "table", "cases", "by hand"};
+    const Lines kinds{"cut", "diff", "run", "list", "table", "cases", "value", "by hand"};
     if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
       throw Mistake("there is no marker of the kind '" + kind + "'");
     }
@@ -235,6 +237,19 @@ CheckedLesson check_lesson(const fs::path& root, const fs::path& file, const std
     try {
       if (lines[i].rfind("<!--", 0) == 0) {
         const auto [kind, what] = Marker(lines[i]);
+        if (kind == "value") {
+          end = end_of_block(lines, i, true);
+          const Lines found(lines.begin() + static_cast<long>(i),
+                            lines.begin() + static_cast<long>(end));
+          for (const std::string& line : found) check_links(line, (root / file).parent_path());
+          const Lines paragraph = with_values(found, run);
+          if (found != paragraph) {
+            checked.drifted.push_back({i + 1, "the paragraph is\n" + text_of(found) +
+                                                  "and should be\n" + text_of(paragraph)});
+          }
+          made.insert(made.end(), paragraph.begin(), paragraph.end());
+          continue;
+        }
         end = lines.size();  // a fence that is never closed swallows the rest
         end = end_of_block(lines, i + 1, kind == "list" || kind == "table" || kind == "cases");
         if (kind != "by hand") {
@@ -271,6 +286,15 @@ CheckedLesson check_lesson(const fs::path& root, const fs::path& file, const std
   }
   checked.text = text_of(made);
   return checked;
+}
+
+Runner remembering(const Runner& run) {
+  const auto outcomes = std::make_shared<std::map<std::string, Outcome>>();
+  return [=](const std::string& command) {
+    const auto known = outcomes->find(command);
+    return known != outcomes->end() ? known->second
+                                    : outcomes->emplace(command, run(command)).first->second;
+  };
 }
 
 std::vector<fs::path> lesson_files(const fs::path& root) {

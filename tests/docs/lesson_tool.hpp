@@ -22,6 +22,13 @@ namespace bounce::test {
 //                                              line "CASE | TEXT" for each row, by its first cell
 //   <!-- by hand: REASON -->                   not made; the reason says why
 //
+// A measured number that stands in a sentence has a marker above its paragraph (or list), with the
+// digits that the sentence gives it. Where it stands: the program that prints a table or a CSV, the
+// first cells of its row, its column. The sign, if any, stands in the marker only.
+//
+//   <!-- value: 11.7 = lesson_numbers rest | 0.001 | error of the first top [mm] -->
+//   <!-- value: 9.81 by hand: REASON -->
+//
 // The first three are followed by a fenced block, the next three by a markdown table that ends at a
 // blank line. FILE counts from the top of the project.
 
@@ -42,6 +49,9 @@ using Runner = std::function<Outcome(const std::string& command)>;
 /// Checks one markdown file, `file` (a path from `root`, the top of the project) with this `text`.
 CheckedLesson check_lesson(const std::filesystem::path& root, const std::filesystem::path& file,
                            const std::string& text, const Runner& run);
+
+/// Runs each command once, and tells the same again.
+Runner remembering(const Runner& run);
 
 /// README.md, docs/*.md and docs/deeper/*.md, as paths from `root`.
 std::vector<std::filesystem::path> lesson_files(const std::filesystem::path& root);

@@ -5,17 +5,18 @@
 #include <fstream>
 
 #include "docs/lesson_tool.hpp"
+#include "docs/lesson_values.hpp"
 
 using namespace bounce::test;
 namespace fs = std::filesystem;
 
 TEST_CASE("the lessons show what the code says and what the programs print") {
   const fs::path root = BOUNCE_SOURCE_DIR;
+  const Runner run = remembering(run_program);
   const std::string update =
       (fs::relative(BOUNCE_BIN_DIR, root) / "update_lessons").string() + "   mends it";
   for (const fs::path& file : lesson_files(root)) {
-    const CheckedLesson checked =
-        check_lesson(root, file, read_file((root / file).string()), run_program);
+    const CheckedLesson checked = check_lesson(root, file, read_file((root / file).string()), run);
     for (const Finding& drift : checked.drifted) {
       FAIL_CHECK(file.string() << ":" << drift.line << ": " << drift.message << update);
     }
@@ -76,6 +77,12 @@ TEST_CASE("every command in the lessons runs") {
     }
   }
   CHECK(commands > 10);
+}
+
+TEST_CASE("the recorded hand in the clip of stage 8 keeps the ball up") {
+  const Outcome outcome = run_program("08_racket_game --headless --duration 7.2 --replay " +
+                                      quoted(BOUNCE_SOURCE_DIR "/docs/images/08_racket_game.txt"));
+  CHECK_MESSAGE(outcome.err.find("hits=5 lost=no") != std::string::npos, outcome.err);
 }
 
 // ---- The tool itself, on a small project of its own ---------------------------------------------
@@ -172,6 +179,38 @@ TEST_CASE("a table of cases has its second column from the program, and the rest
   CHECK(checked.text == right);
 }
 
+TEST_CASE("a number in a sentence is looked up where its marker says") {
+  const Project project;
+  const auto page = [](const std::string& number) {
+    return "# Law\n\n<!-- value: " + number + " = fall --at 1 | 1 | y -->\n" +
+           "<!-- value: 9.81 by hand: a constant -->\n- At " + number + " m, not at 10.10 m,\n" +
+           "  so " + number + ". With 9.81.\n\nAt 0.11 m.\n";
+  };
+  check_clean(project.check(page("0.10")), page("0.10"));
+  const CheckedLesson checked = project.check(page("0.11"));
+  REQUIRE(checked.drifted.size() == 1);
+  CHECK(checked.drifted[0].line == 3);
+  CHECK(checked.mistakes.empty());
+  CHECK(checked.text == page("0.10"));
+  // The sign stands in the marker only. (The program says +0.095.)
+  const std::string low = "<!-- value: -0.10 = fall --at 1 | 1 | y -->\n0.10 m too low.\n";
+  CHECK(project.check(low).drifted.size() == 1);
+}
+
+TEST_CASE("numbers that look measured are found where no marker names them") {
+  const std::string settings = "With 0.1 m, 1 ms, 1000 steps, 25 N, at 0 (and $9.81$ or `9.81`).\n";
+  CHECK(unmarked_numbers(settings).empty());
+  const std::string text =
+      "<!-- value: 1.29 by hand: so -->\n1.29 times, 0.642.\n\nNow 1.29, 1853.";
+  const std::vector<Finding> found = unmarked_numbers(text);
+  REQUIRE(found.size() == 3);
+  CHECK(found[0].message.find("0.642") != std::string::npos);
+  CHECK(found[1].line == 4);
+  CHECK(found[2].message.find("1853") != std::string::npos);
+  CHECK(unmarked_numbers("| 1.29 |\n```sh\nfall --dt 0.015\n```\n[5.12](../0.12.md)\n").size() ==
+        1);
+}
+
 TEST_CASE("what only an author can mend is said, with its line, and the text is left alone") {
   const Project project;
   struct Case {
@@ -197,6 +236,12 @@ TEST_CASE("what only an author can mend is said, with its line, and the text is 
       {"<!-- cases: fall cases -->\n| c | n |\n|---|---|\n| a cat | 1 m |\n",
        "no line for the case", 1},
       {"<!-- cases: fall --at 1 -->\n| c | n |\n|---|---|\n", "should print CASE | TEXT", 1},
+      {"<!-- value: 0.1 = fall --at 1 | 2 | y -->\n0.1 m\n", "0 rows, and not one", 1},
+      {"<!-- value: 0.1 = fall --at 1 | 1 | z -->\n0.1 m\n", "no column 'z'", 1},
+      {"<!-- value: 0.1 = fall --at 1 -->\n0.1 m\n", "NUMBER = PROGRAM | ROW | COLUMN", 1},
+      {"<!-- value: 0.1 by heart -->\n0.1 m\n", "NUMBER by hand: REASON", 1},
+      {"<!-- value: 0.1 = fall --at 1 | 1 | y -->\n0.15 m and 20.1 m\n", "does not have", 1},
+      {"<!-- value: 0.1 = fell | 1 | y -->\n0.1 m\n", "exit code 2", 1},
       {"<!-- cuts: old.hpp law -->\n", "no marker of the kind 'cuts'", 1},
       {"<!-- cut: old.hpp law\n", "a marker looks like", 1},
       {"<!-- cut: -->\n", "a marker looks like", 1},

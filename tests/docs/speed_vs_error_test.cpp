@@ -28,7 +28,8 @@ TEST_CASE("the figures of the speed report are drawn from the committed CSV") {
 
 TEST_CASE("every second page shows the figure of its stage, and what to choose from it") {
   const std::string root = std::string(BOUNCE_SOURCE_DIR) + "/";
-  const report::Report data = report::from_csv(test::read_file(root + report::csv_file));
+  const std::string csv = test::read_file(root + report::csv_file);
+  const report::Report data = report::from_csv(csv);
   int pages = 0;
   for (const std::filesystem::path& file : test::lesson_files(root)) {
     if (file.parent_path() != "docs/deeper") continue;
@@ -39,7 +40,11 @@ TEST_CASE("every second page shows the figure of its stage, and what to choose f
     for (const report::Result& result : data.results) {
       if (result.stage != name[1] - '0') continue;
       const std::string& of = result.case_name;
-      figure |= text.find("](../images/speed_vs_error_" + of + ".svg)") != std::string::npos;
+      const std::string drawn = root + "docs/images/choice_" + of + ".svg";
+      if (std::filesystem::exists(drawn)) {
+        CHECK(test::read_file(drawn).find(report::fingerprint(csv)) != std::string::npos);
+      }
+      figure |= text.find("](../images/choice_" + of + ".svg)") != std::string::npos;
       choice |= text.find("<!-- table: speed_vs_error choice " + of + " -->") != std::string::npos;
     }
     INFO(name);

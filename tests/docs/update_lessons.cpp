@@ -11,10 +11,11 @@ using namespace bounce::test;
 
 int main() {
   const std::filesystem::path root = BOUNCE_SOURCE_DIR;
+  const Runner run = remembering(run_program);
   bool good = true;
   for (const auto& file : lesson_files(root)) {
     const std::string path = (root / file).string();
-    const CheckedLesson checked = check_lesson(root, file, read_file(path), run_program);
+    const CheckedLesson checked = check_lesson(root, file, read_file(path), run);
     for (const Finding& mistake : checked.mistakes) {
       std::cerr << file.string() << ":" << mistake.line << ": " << mistake.message << "\n";
       good = false;

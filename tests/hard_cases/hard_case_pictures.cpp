@@ -78,9 +78,10 @@ std::string fast_floor() {
 
 std::string script(const std::string& file) {
   std::ostringstream out;
-  out << "set terminal svg size 1080,400 font 'DejaVu Sans,12' background '#ffffff'\n"
+  out << "set terminal svg size 1080,420 font 'DejaVu Sans,15' background '#ffffff'\n"
+      << "set linetype 1 linecolor rgb '#d55e00'\nset linetype 2 linecolor rgb '#000000'\n"
       << "set output '" << file << "'\nset multiplot layout 1,3\nset grid linecolor '#dddddd'\n"
-      << "set key top left samplen 1.2\n"
+      << "set key top left samplen 0.7 width -3\n"
       << "set title 'a bounce that grows'\nset xlabel 'time [s]'\nset ylabel 'height [m]'\n"
       << "set yrange [-0.5:6.5]\n"
       << "plot '-' with lines linewidth 2 linetype 1 title 'explicit Euler, 1 ms', "
@@ -92,7 +93,7 @@ std::string script(const std::string& file) {
       << "pointsize 0.5 title 'cut at the touch'\n"
       << thin_disc() << "unset arrow\n"
       << "set title 'a floor too fast for the step'\nset ylabel 'floor, in amplitudes'\n"
-      << "set yrange [-1.2:1.7]\n"
+      << "set yrange [-1.2:1.9]\n"
       << "plot '-' with lines linecolor '#aaaaaa' title 'as it is, 900 rad/s', "
       << "'-' with linespoints linewidth 2 linetype 1 pointtype 7 pointsize 0.5 title "
       << "'seen every 1/240 s'\n"

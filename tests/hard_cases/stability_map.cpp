@@ -87,7 +87,9 @@ std::string points(const std::string& csv, Method method, std::size_t x, std::si
 std::string script(const std::string& limit_csv, const std::string& range_csv,
                    const std::string& file) {
   std::ostringstream out;
-  out << "set terminal svg size 1080,500 font 'DejaVu Sans,13' background '#ffffff'\n"
+  out << "set terminal svg size 1080,500 font 'DejaVu Sans,17' background '#ffffff'\n"
+      << "set linetype 1 linecolor rgb '#d55e00'\nset linetype 2 linecolor rgb '#0072b2'\n"
+      << "set linetype 3 linecolor rgb '#009e73'\nset linetype 4 linecolor rgb '#cc79a7'\n"
       << "set output '" << file << "'\nset multiplot layout 1,2\nset grid linecolor '#dddddd'\n"
       << "set title 'stable below the line, and growing above it'\n"
       << "set xlabel 'damping ratio'\nset ylabel 'omega0 dt'\nset xrange [0:3]\nset yrange "
@@ -98,8 +100,10 @@ std::string script(const std::string& limit_csv, const std::string& range_csv,
   for (const Method method : all_methods) {
     ++colour;
     const std::string type = " linetype " + std::to_string(colour);
-    plots += std::string(plots.empty() ? "plot" : ",") + " '-' with lines linewidth 2" + type +
-             " title '" + name_of(method) + "', '-' with points pointtype 7 pointsize " +
+    const bool below = method == methods::semi_implicit_euler;  // velocity Verlet's lies upon it
+    plots += std::string(plots.empty() ? "plot" : ",") + " '-' with lines linewidth " +
+             (below ? "6" : "2") + type + " title '" + name_of(method) +
+             "', '-' with points pointtype 7 pointsize " +
              (method == methods::velocity_verlet ? "0.3" : "0.5") + type + " notitle";
     data += points(limit_csv, method, 1, 2) + points(limit_csv, method, 1, 3);
   }

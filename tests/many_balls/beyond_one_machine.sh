@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Measures what docs/beyond_one_machine.md reports: this program on 1 and 2 threads against LAMMPS on 1
-# and 2 processes, from the same states; and what the files cost. Needs lmp and mpirun (Debian: lammps,
+# Compares whole runs, for docs/beyond_one_machine.md: this program on 1 and 2 threads against LAMMPS on 1
+# and 2 processes, from the same states; and measures what the files cost. Needs lmp and mpirun (Debian: lammps,
 # openmpi-bin), a quiet machine, and a minute or two.
 set -euo pipefail
 program=$(realpath "${1:-build/release/bin/05_ball_collision}")

@@ -3,6 +3,7 @@
 //        many_balls_speed figure    draws the figure again from the CSV
 //        many_balls_speed steps     a table of lesson 5: each step and what it brings
 //        many_balls_speed scaling   a table of lesson 5: all methods, all numbers of balls
+//        many_balls_speed lammps    of these, what is compared with LAMMPS
 //        many_balls_speed machine   where it was measured
 
 #include <algorithm>
@@ -233,8 +234,7 @@ Results from_csv(const std::string& text) {
 
 void draw_figure(const std::string& csv) {
   const Results results = from_csv(csv);
-  const char* const colours[] = {"#d55e00", "#e69f00", "#0072b2", "#009e73",
-                                 "#000000", "#999999", "#56b4e9"};
+  const char* const colours[] = {"#d55e00", "#e69f00", "#0072b2", "#009e73", "#000000", "#999999"};
   std::ostringstream script;
   script << "set terminal svg size 760,520 font 'DejaVu Sans,13' background '#ffffff'\n"
          << "set output '" << root + figure_file << "'\nset logscale xy\n"
@@ -242,7 +242,7 @@ void draw_figure(const std::string& csv) {
          << "set format x '10^{%T}'\nset xrange [70:1500000]\nset grid linecolor '#dddddd'\n"
          << "set key outside bottom center horizontal maxcols 3\n";
   std::string plots, points;
-  for (std::size_t i = 0; i < methods.size(); ++i) {
+  for (std::size_t i = 0; i < 6; ++i) {  // six curves: SSE2 stands in the table
     std::string curve;
     for (const Row& row : results.rows) {
       if (row.method != methods[i]) continue;
@@ -310,6 +310,18 @@ void print_scaling(const Results& results) {
   std::printf("\n");
 }
 
+void print_lammps(const Results& results) {
+  std::printf(
+      "| balls | here, 1 thread | here, 2 threads | LAMMPS, 1 process |\n|---|---|---|---|\n");
+  for (const long balls : {10000L, 100000L}) {
+    std::printf("| %ld |", balls);
+    for (const std::size_t method : {3, 4, 5}) {
+      std::printf(" %s |", nanoseconds(results.ns(methods[method], balls)).c_str());
+    }
+    std::printf("\n");
+  }
+}
+
 void print_machine(const Results& results) {
   std::printf("| | |\n|---|---|\n");
   for (const std::string& line : results.about) {
@@ -329,10 +341,12 @@ int run(const std::string& what) {
     print_steps(from_csv(read_csv()));
   } else if (what == "scaling") {
     print_scaling(from_csv(read_csv()));
+  } else if (what == "lammps") {
+    print_lammps(from_csv(read_csv()));
   } else if (what == "machine") {
     print_machine(from_csv(read_csv()));
   } else {
-    std::fprintf(stderr, "usage: many_balls_speed measure|figure|steps|scaling|machine\n");
+    std::fprintf(stderr, "usage: many_balls_speed measure|figure|steps|scaling|lammps|machine\n");
     return 2;
   }
   return 0;

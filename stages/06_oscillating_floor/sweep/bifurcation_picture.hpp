@@ -33,15 +33,15 @@ inline void draw_diagram(Canvas& canvas, Rect box, const std::vector<SweepRow>& 
     const std::array<Point, 2> line{at(across.lowest, y), at(across.highest, y)};
     canvas.line(line, palette::grid_major, 1);
     std::snprintf(text, sizeof text, "%.3g", y);
-    canvas.text({box.x - 10, line[0].y - 8}, text, palette::ink, Align::right, TextSize::tick);
+    canvas.text({box.x - 10, line[0].y - 11}, text, palette::ink, Align::right, TextSize::title);
   }
   for (const double x : ticks(across.lowest, across.highest, 10)) {
     const std::array<Point, 2> line{at(x, up.lowest), at(x, up.highest)};
     canvas.line(line, palette::grid_minor, 1);
     std::snprintf(text, sizeof text, "%.4g", x);
-    canvas.text({line[0].x, box.bottom() + 6}, text, palette::ink, Align::centre, TextSize::tick);
+    canvas.text({line[0].x, box.bottom() + 6}, text, palette::ink, Align::centre, TextSize::title);
   }
-  draw_label(canvas, {box.x, box.y - 24}, title, palette::ink, Align::left, TextSize::normal);
+  draw_label(canvas, {box.x, box.y - 28}, title, palette::ink, Align::left, TextSize::title);
 
   std::set<std::pair<int, int>> drawn;  // many bounces, few places: one dot for each
   for (const SweepRow& row : rows) {
@@ -65,7 +65,7 @@ inline void draw_bifurcation(Canvas& canvas, const std::vector<SweepRow>& rows, 
                "height of the bounce, m");
   draw_diagram(canvas, {80, 494, width, 160}, rows, across, &SweepRow::phase,
                {0, 2 * std::numbers::pi}, "angle of the floor's swing at the impact, rad");
-  canvas.text({80 + width, 684}, name + ", " + unit, palette::ink, Align::right, TextSize::normal);
+  canvas.text({80 + width, 686}, name + ", " + unit, palette::ink, Align::right, TextSize::title);
 }
 
 }  // namespace bounce

@@ -15,20 +15,27 @@ struct AnyLaw {
   }
 };
 
-/// Two numbers as one vector: the loop shall move that, too.
-struct Two {
+/// Two numbers as one vector: the loop shall move that, too. The compiler tells this name to a
+/// learner who keeps the acceleration in a double.
+struct VectorNotDouble {
   double a, b;
-  Two operator*(double factor) const { return {a * factor, b * factor}; }
-  Two operator/(double divisor) const { return {a / divisor, b / divisor}; }
-  Two operator+(const Two& other) const { return {a + other.a, b + other.b}; }
-  Two operator-(const Two& other) const { return {a - other.a, b - other.b}; }
-  Two& operator+=(const Two& other) { return *this = *this + other; }
-  Two& operator-=(const Two& other) { return *this = *this - other; }
-  [[maybe_unused]] friend Two operator*(double factor, const Two& two) { return two * factor; }
+  VectorNotDouble operator*(double factor) const { return {a * factor, b * factor}; }
+  VectorNotDouble operator/(double divisor) const { return {a / divisor, b / divisor}; }
+  VectorNotDouble operator+(const VectorNotDouble& other) const {
+    return {a + other.a, b + other.b};
+  }
+  VectorNotDouble operator-(const VectorNotDouble& other) const {
+    return {a - other.a, b - other.b};
+  }
+  VectorNotDouble& operator+=(const VectorNotDouble& other) { return *this = *this + other; }
+  VectorNotDouble& operator-=(const VectorNotDouble& other) { return *this = *this - other; }
+  [[maybe_unused]] friend VectorNotDouble operator*(double factor, const VectorNotDouble& two) {
+    return two * factor;
+  }
 };
-struct LawOfTwo {
+struct LawOfVector {
   check::LinearLaw law;
-  Two acceleration(double t, const State<Two>& state) const {
+  VectorNotDouble acceleration(double t, const State<VectorNotDouble>& state) const {
     return {law(t, state.position.a, state.velocity.a), law(t, state.position.b, state.velocity.b)};
   }
 };
@@ -48,8 +55,8 @@ class Subject final : public check::OneBall<FreeFall> {
     State<double> state = state_of(now);
     fall_one_step(AnyLaw{law}, t, state, dt);
     // The same as the second part of a vector: a loop that is right for numbers only shows here.
-    State<Two> two{{0, now.position[1]}, {0, now.velocity[1]}};
-    fall_one_step(LawOfTwo{law}, t, two, dt);
+    State<VectorNotDouble> two{{0, now.position[1]}, {0, now.velocity[1]}};
+    fall_one_step(LawOfVector{law}, t, two, dt);
     if (two.position.b != state.position || two.velocity.b != state.velocity) {
       return {{0, two.position.b, 0}, {0, two.velocity.b, 0}};
     }
