@@ -8,6 +8,7 @@ trap 'rm -rf "$own"' EXIT
 export BOUNCE_MINE="$own/Anna [x] Müller" # no ': with it, Ninja before 1.13 builds all anew each time
 mkdir "$BOUNCE_MINE"
 export LANG=de_DE.UTF-8 LANGUAGE=de # where the compiler speaks it
+export BOUNCE_LANG=en # what is said is compared
 failures=0
 
 fails() { # fails WHY: about the last output
