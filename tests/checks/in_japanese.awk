@@ -6,6 +6,7 @@ FNR == NR {
   if ($0 == "") { english = ""; next }
   if (english == "") { english = $0; next }
   if (english ~ /[{]/) { pattern[++patterns] = english; meaning[patterns] = $0 } else exact[english] = $0
+  if (english in exact && english ~ /, | and /) whole[++wholes] = english
   next
 }
 { print said($0, 0); fflush() }
@@ -27,7 +28,7 @@ function said(text, depth,   i, k, given, words, sure) {
     known = sure
     return words
   }
-  known = 0
+  known = text !~ /[A-Za-z][a-z][a-z]/ # "p1 - p2" is the same
   return text
 }
 
@@ -59,15 +60,35 @@ function fits(text, like, depth, given,   k, from, to, then, at) { # given[1], .
 
 function listed(text, depth,   at, head, rest, sep) { # "A, B and C": A、B、C, when all of them are known
   if (text in exact) { known = 1; return exact[text] }
+  text = guarded(text)
   for (at = 2; at < length(text); at++) {
     sep = substr(text, at, 5) == " and " ? 5 : substr(text, at, 2) == ", " ? 2 : 0
     if (!sep) continue
-    head = said(substr(text, 1, at - 1), depth)
+    head = said(plain(substr(text, 1, at - 1)), depth)
     if (!known) continue
-    rest = listed(substr(text, at + sep), depth)
+    rest = plain(substr(text, at + sep))
+    if (rest in exact && rest !~ /sign$/ && index(substr(text, 1, at), " in place of ")) continue # of two things
+    rest = listed(rest, depth)
     if (known) return head "、" rest
   }
-  return said(text, depth)
+  return said(plain(text), depth)
+}
+
+function guarded(text,   i, at, name) { # "g, without the mass" is one thing: its comma is none of a list
+  for (i = 1; i <= wholes; i++) {
+    while ((at = index(text, whole[i])) > 0) {
+      name = whole[i]
+      gsub(/, /, "\001", name)
+      gsub(/ and /, "\002", name)
+      text = substr(text, 1, at - 1) name substr(text, at + length(whole[i]))
+    }
+  }
+  return text
+}
+function plain(text) {
+  gsub(/\001/, ", ", text)
+  gsub(/\002/, " and ", text)
+  return text
 }
 
 function in_turn(text, depth,   at) { # "A; B; C"
@@ -75,7 +96,11 @@ function in_turn(text, depth,   at) { # "A; B; C"
   return at ? listed(substr(text, 1, at - 1), depth) "；" in_turn(substr(text, at + 2), depth) : listed(text, depth)
 }
 
-function put(text, name, value,   at) {
+function put(text, name, value,   at, before, after) { # with a space between a Latin letter and a Japanese one
   at = index(text, name)
-  return at ? substr(text, 1, at - 1) value substr(text, at + length(name)) : text
+  before = substr(text, 1, at - 1)
+  after = substr(text, at + length(name))
+  if (value ~ /^[A-Za-z`]/ && before ~ /(\343[\201-\203].|[\344-\351]..)$/) before = before " "
+  if (value ~ /[A-Za-z`)|]$|[a-z][0-9]$/ && after ~ /^(\343[\201-\203]|[\344-\351])/) after = " " after
+  return at ? before value after : text
 }

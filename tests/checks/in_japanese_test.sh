@@ -24,9 +24,13 @@ says '    mine.hpp:3:5: error: gravity and more: the mass' '    mine.hpp:3:5: er
 says '    seen      right in the air, exactly at the touch and in contact at rest; wrong elsewhere' \
   '    様子        正しい：空中、ちょうど触れたところ、接触中（静止）；ほかではすべて間違い'
 says '    seen      where it is wrong: g, without the mass in place of the weight m g and the damper has the wrong sign' \
-  '    様子        間違っているところでは、重力 m gの代わりに質量のない gがあります、ダンパの力の符号が逆です'
+  '    様子        間違っているところでは、重力 m g の代わりに質量のない g があります、ダンパの力の符号が逆です'
 says '    seen      in contact on the way in: the spring is taken 2 times and the damper is missing' \
   '    様子        接触中（入るとき）：ばねの力が 2 倍になっています、ダンパの力がありません'
+says '    seen      beside the disc, near its rim: r1 is taken 2 times and r2 is missing' \
+  '    様子        円板の横、縁の近く：r1 が 2 倍になっています、r2 がありません'
+says '    seen      wrong in every case; the whole push, along y, in place of the spring and the damper' \
+  '    様子        どの場合も間違い；ばねの力、ダンパの力の代わりに y 方向の押す力全体があります'
 # A lesson leads to its Japanese page where there is one.
 says '    lesson    docs/03_damping.md, "The idea"' '    レッスン    docs/ja/03_damping.md「考え方」'
 says '    lesson    docs/09_drag.md, "The idea"' '    レッスン    docs/09_drag.md「考え方」'
