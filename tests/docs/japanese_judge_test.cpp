@@ -69,8 +69,8 @@ std::vector<Literal> formats_of(const fs::path& file, const std::string& from,
   std::string text = read_file(file.string());
   if (!from.empty()) text.erase(0, text.find(from));
   if (!to.empty()) text.erase(text.find(to));
-  text = std::regex_replace(text, std::regex("\\$\\([^()]*\\)"),
-                            "%s");  // $(...) has quotes of its own
+  text = std::regex_replace(text, std::regex("\\$\\([^()]*\\)|\\$\\{[^}]*\\}"),
+                            "%s");  // these have quotes of their own
   const std::regex format("(?:printf|back\\(|die|say) *(?:'([^']*)'|\"((?:[^\"\\\\]|\\\\.)*)\")");
   for (std::sregex_iterator at(text.begin(), text.end(), format), end; at != end; ++at) {
     all.push_back({file.filename().string(), (*at)[1].str() + (*at)[2].str()});
@@ -104,6 +104,13 @@ std::vector<Literal> said_to_learners() {
   take(formats_of(root / "course", "check_plan() {", "is_written()"));
   take(formats_of(root / "course", "play() {", "# ---- Your own work"));
   take(formats_of(root / "course", "build_mine() {", "test_stage() {"));
+  take(formats_of(root / "course", "new() {", "list_stages() {"));
+  std::istringstream course(read_file((root / "course").string()));
+  bool usage = false;
+  for (std::string line; std::getline(course, line);) {
+    if (usage && line != "TEXT") all.push_back({"course", line});
+    usage = line.find("cat <<'TEXT'") != std::string::npos || (usage && line != "TEXT");
+  }
   return all;
 }
 
