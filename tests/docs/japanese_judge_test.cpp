@@ -197,7 +197,8 @@ int columns(const std::string& text) {
 TEST_CASE("each sentence of the judge has its Japanese, with the same numbers in it") {
   CHECK(table().size() > 400);
   std::set<std::string> seen;
-  for (const auto& [english, japanese] : table()) {
+  for (const Phrases::Pair& pair : table()) {
+    const std::string &english = pair.first, &japanese = pair.second;
     CAPTURE(english);
     CHECK(holes_of(english) == holes_of(japanese));
     CHECK_MESSAGE(seen.insert(english).second, "this sentence is there twice");
@@ -268,7 +269,8 @@ TEST_CASE("the table has nothing that nobody says") {
 
 TEST_CASE("the labels of a verdict are as wide as each other, in full-width letters too") {
   int labels = 0;
-  for (const auto& [english, japanese] : table()) {
+  for (const Phrases::Pair& pair : table()) {
+    const std::string &english = pair.first, &japanese = pair.second;
     const std::size_t hole = japanese.find('{');
     if (english.rfind("    ", 0) == 0 && english.find("  {1") == 14 - 2) {
       CHECK_MESSAGE(columns(japanese.substr(0, hole)) == 16, japanese);
