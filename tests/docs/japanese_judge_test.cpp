@@ -209,22 +209,30 @@ TEST_CASE("each sentence of the judge has its Japanese, with the same numbers in
   }
 }
 
-/// A piece of a sentence is part of a row; or a row with holes is part of it, and the rest are
+/// A piece of a sentence is part of a row; or a piece of a row is part of it, and the rest are
 /// names.
 static bool has_row(const std::string& piece) {
+  static const std::vector<std::string> pieces = [] {
+    std::vector<std::string> all;
+    for (const auto& pair : table()) {
+      if (pair.first.find('{') == std::string::npos) continue;
+      for (const std::string& row : pieces_of(pair.first)) all.push_back(row);
+    }
+    return all;
+  }();
+  const auto is_row = [](const std::string& text) {
+    return std::any_of(table().begin(), table().end(),
+                       [&](const auto& one) { return one.first == text; });
+  };
   for (const auto& pair : table()) {
     if (pair.first.find(piece) != std::string::npos) return true;
-    if (pair.first.find('{') == std::string::npos) continue;
-    for (const std::string& row : pieces_of(pair.first)) {
-      const std::size_t at = piece.find(row);
-      if (at == std::string::npos) continue;
-      const std::string before = piece.substr(0, at), after = piece.substr(at + row.size());
-      const bool is_row = std::any_of(table().begin(), table().end(),
-                                      [&](const auto& one) { return one.first == before; });
-      if ((is_row || is_names_only(before)) && is_names_only(after)) return true;
-    }
   }
-  return false;
+  return std::any_of(pieces.begin(), pieces.end(), [&](const std::string& row) {
+    const std::size_t at = piece.find(row);
+    if (at == std::string::npos) return false;
+    const std::string before = piece.substr(0, at), after = piece.substr(at + row.size());
+    return (is_names_only(before) || is_row(before)) && is_names_only(after);
+  });
 }
 
 TEST_CASE("what the judge and the script say is in the table") {
