@@ -55,6 +55,7 @@ done
 
 # The language is that of BOUNCE_LANG, or else of the locale. Three hints in each.
 export BOUNCE_MINE="$folder"
+unset BOUNCE_LANG
 export LC_ALL='' LC_MESSAGES='' LANG=''
 hint() { "$top/course" check "$1" --hint >"$folder/hint"; }
 shows() { grep -qE -- "$1" "$folder/hint"; }
