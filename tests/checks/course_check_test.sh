@@ -8,6 +8,7 @@ trap 'rm -rf "$own"' EXIT
 export BOUNCE_MINE="$own/Anna [x] Müller" # no ': with it, Ninja before 1.13 builds all anew each time
 mkdir "$BOUNCE_MINE"
 export LANG=de_DE.UTF-8 LANGUAGE=de # where the compiler speaks it
+export BOUNCE_LANG=en # what is said is compared
 failures=0
 
 fails() { # fails WHY: about the last output
@@ -60,6 +61,10 @@ shows "gravity points up"
 shows "not yet"
 [ "$(grep -c 'not yet' <<<"$out")" = 1 ] || fails "noise after the first failure"
 same "$mine" "$BOUNCE_MINE/before" # nobody touched it
+BOUNCE_LANG=ja run 1 check 1 # the same in Japanese
+shows "  まだ     力は下向きの重力"
+shows "おそらく    重力が上向き"
+shows "docs/ja/01_free_fall.md"
 
 echo 'int x = "";' >>"$mine"
 run 1 check 1

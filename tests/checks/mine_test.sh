@@ -7,6 +7,7 @@ top=$1
 folder=$(mktemp -d)
 export BOUNCE_MINE="$folder/mine"
 trap 'rm -rf "$folder"' EXIT
+export BOUNCE_LANG=en # what is said is compared
 failures=0
 fails() { printf 'FAILED: %s\n' "$1"; failures=$((failures + 1)); }
 

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "docs/lesson_values.hpp"
+#include "docs/phrases.hpp"
 
 namespace bounce::test {
 
@@ -175,6 +176,30 @@ Lines block_for(const std::string& kind, const std::string& what, const Lines& f
                 difference(cut(root, what.substr(0, bar)), cut(root, what.substr(bar + 3))));
 }
 
+/// A table in the words of docs/ja/tables.txt: its head, and the cells that are neither numbers nor
+/// code.
+Lines in_japanese(const Lines& table, const fs::path& root) {
+  const Phrases phrases((root / "docs/ja/tables.txt").string());
+  const auto has_words = [](const std::string& cell) {
+    const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    return cell.find('`') == std::string::npos && std::any_of(cell.begin(), cell.end(), letter);
+  };
+  Lines made;
+  for (const std::string& row : table) {
+    std::string line;
+    std::istringstream cells(row);
+    for (std::string cell; std::getline(cells, cell, '|');) {
+      const std::string text = trimmed(cell);
+      const auto said = phrases.japanese(text);
+      if (!said && has_words(text))
+        throw Mistake("docs/ja/tables.txt has no Japanese for: " + text);
+      line += (said ? " " + *said + " " : cell) + "|";
+    }
+    made.push_back(line);
+  }
+  return made;
+}
+
 // ---- The lesson ---------------------------------------------------------------------------------
 
 /// Where the block that begins at line `at` ends (one beyond its last line); `at` when there is
@@ -205,7 +230,8 @@ struct Marker {
     }
     kind = line.substr(begin.size(), colon - begin.size());
     what = trimmed(line.substr(colon + 2, line.size() - end.size() - colon - 2));
-    const Lines kinds{"cut", "diff", "run", "list", "table", "cases", "value", "by hand"};
+    const Lines kinds{"cut",   "diff",  "run",     "list",   "table",
+                      "cases", "value", "by hand", "english"};
     if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
       throw Mistake("there is no marker of the kind '" + kind + "'");
     }
@@ -229,6 +255,7 @@ void check_links(const std::string& line, const fs::path& folder) {
 CheckedLesson check_lesson(const fs::path& root, const fs::path& file, const std::string& text,
                            const Runner& run) {
   const bool all_marked = file.filename().string().rfind("0", 0) == 0;  // in the numbered lessons
+  const bool japanese = file.parent_path().filename() == "ja";
   const Lines lines = lines_of(text);
   CheckedLesson checked;
   Lines made;
@@ -252,13 +279,16 @@ CheckedLesson check_lesson(const fs::path& root, const fs::path& file, const std
         }
         end = lines.size();  // a fence that is never closed swallows the rest
         end = end_of_block(lines, i + 1, kind == "list" || kind == "table" || kind == "cases");
-        if (kind != "by hand") {
+        if (kind == "english") {
+          end = i + 1;
+        } else if (kind != "by hand") {
           if (kind == "run" && text.find(what) == text.rfind(what)) {
             throw Mistake("the text does not show the command of this block: " + what);
           }
           const Lines found(lines.begin() + static_cast<long>(i) + 1,
                             lines.begin() + static_cast<long>(end));
-          const Lines block = block_for(kind, what, found, root, run);
+          Lines block = block_for(kind, what, found, root, run);
+          if (japanese && (kind == "list" || kind == "table")) block = in_japanese(block, root);
           if (found != block) {
             checked.drifted.push_back(
                 {i + 2, "the block is\n" + text_of(found) + "and should be\n" + text_of(block)});
@@ -300,7 +330,7 @@ Runner remembering(const Runner& run) {
 std::vector<fs::path> lesson_files(const fs::path& root) {
   std::vector<fs::path> files;
   if (fs::exists(root / "README.md")) files.push_back("README.md");
-  for (const fs::path folder : {"docs", "docs/deeper"}) {
+  for (const fs::path folder : {"docs", "docs/deeper", "docs/ja"}) {
     if (!fs::exists(root / folder)) continue;
     for (const fs::directory_entry& entry : fs::directory_iterator(root / folder)) {
       if (entry.path().extension() == ".md") files.push_back(folder / entry.path().filename());

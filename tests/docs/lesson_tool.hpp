@@ -21,6 +21,7 @@ namespace bounce::test {
 //   <!-- cases: naive_numbers NAME -->         a table whose second column that program prints: a
 //                                              line "CASE | TEXT" for each row, by its first cell
 //   <!-- by hand: REASON -->                   not made; the reason says why
+//   <!-- english: HASH -->                     on top of a page of docs/ja: docs/japanese.hpp
 //
 // A measured number that stands in a sentence has a marker above its paragraph (or list), with the
 // digits that the sentence gives it. Where it stands: the program that prints a table or a CSV, the
@@ -30,7 +31,8 @@ namespace bounce::test {
 //   <!-- value: 9.81 by hand: REASON -->
 //
 // The first three are followed by a fenced block, the next three by a markdown table that ends at a
-// blank line. FILE counts from the top of the project.
+// blank line. FILE counts from the top of the project. In docs/ja a table is in the words of
+// docs/ja/tables.txt.
 
 /// Something wrong in a lesson: where, and what to do about it.
 struct Finding {
@@ -53,7 +55,7 @@ CheckedLesson check_lesson(const std::filesystem::path& root, const std::filesys
 /// Runs each command once, and tells the same again.
 Runner remembering(const Runner& run);
 
-/// README.md, docs/*.md and docs/deeper/*.md, as paths from `root`.
+/// README.md, docs/*.md, docs/deeper/*.md and docs/ja/*.md, as paths from `root`.
 std::vector<std::filesystem::path> lesson_files(const std::filesystem::path& root);
 
 }  // namespace bounce::test

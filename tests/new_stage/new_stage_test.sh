@@ -15,6 +15,7 @@ rm -rf stages/09_* stages/[1-9][0-9]_* docs/09_* stages/*/mine.hpp* # somebody's
 rm tests/checks/0[1-8]_*_check.cpp # and the checks of the other stages take a minute to build
 unset BOUNCE_MINE
 export CCACHE_BASEDIR=$copy # an object of the same text is taken over from another folder
+export BOUNCE_LANG=en # what is said is compared
 failures=0
 out=''
 fails() { printf 'FAILED: %s:\n%s\n' "$1" "$out"; failures=$((failures + 1)); }

@@ -5,6 +5,7 @@ set -uo pipefail
 top=$1
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
+export BOUNCE_LANG=en # what is said is compared
 failures=0
 fails() { printf 'FAILED: %s:\n%s\n' "$1" "$out"; failures=$((failures + 1)); }
 plan() { # plan CODE: the plan on standard input
@@ -19,9 +20,10 @@ item() { printf '## %s\ndays: %s\nsee: %s\nnumber: %s\n' "$@"; }
 
 # The plans of the page, each on its own.
 awk -v folder="$folder" '/^```text/ { inside = 1; n++; next } /^```/ { inside = 0 }
-  inside { print >(folder "/page" n) }' "$top/docs/your_project.md"
+  inside { print >(folder "/page" n) }' "$top/docs/your_project.md" "$top/docs/ja/your_project.md"
 for n in 1 2 3; do plan 0 <"$folder/page$n"; shows "4 items"; shows "Begin with the first: A ball"; done
-[ ! -e "$folder/page4" ] || fails "there is a fourth plan, which this test does not know"
+for n in 4 5 6; do plan 0 <"$folder/page$n"; shows "4 items"; done # in Japanese
+[ ! -e "$folder/page7" ] || fails "there is a fourth plan, which this test does not know"
 
 plan 0 < <(item falls 1 'it falls' 7.00; item bounces 2-4 'it bounces' 0.66)
 shows "2 items, 4 days"
