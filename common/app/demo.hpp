@@ -27,6 +27,9 @@ struct View {
   std::vector<TracePoint> earlier;  // with the setting before
 };
 
+/// A ball that is thrown with the pointer is not thrown faster [m/s].
+inline constexpr double fastest_throw = 8;
+
 /// One quantity against time.
 struct Plot {
   std::string title;

@@ -15,8 +15,6 @@
 namespace bounce {
 namespace {
 
-constexpr float fastest_throw = 8;  // m/s
-
 void draw_ruler(Canvas& canvas, const SideCamera& camera, double lowest, double highest) {
   const Rect& area = layout::scene;
   const float x0 = ruler_x - camera.origin.x;
@@ -155,8 +153,9 @@ void use_side_view(Demo& demo, const std::function<BallOnALine(const Simulation&
   demo.drag = [ball](Playback& playback, const View& /*view*/, Point at, Point velocity) {
     const SideCamera camera = side_camera(playback, ball(playback));
     const double height = (camera.origin.y - at.y) / camera.per_metre;
-    const double speed = std::clamp(-velocity.y / camera.per_metre, -fastest_throw, fastest_throw);
-    playback.change([&](Simulation& simulation) { simulation.place({height, speed}); });
+    const double speed = static_cast<double>(-velocity.y / camera.per_metre);
+    const double thrown = std::clamp(speed, -fastest_throw, fastest_throw);
+    playback.change([&](Simulation& simulation) { simulation.place({height, thrown}); });
   };
 }
 

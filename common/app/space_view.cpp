@@ -19,8 +19,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr Rect inset{layout::scene.width - 216, 12, 204, 168};
-constexpr double opening = 34;       // degrees
-constexpr double fastest_throw = 8;  // m/s
+constexpr double opening = 34;  // degrees
 
 /// How much further away the camera must stand, so that the highest bounce fits: 1, 2, 4, ...
 double zoom_out(const Playback& playback, const BallInSpace& ball) {

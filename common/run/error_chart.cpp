@@ -12,12 +12,12 @@ namespace {
 
 constexpr std::size_t samples = 50;
 constexpr double no_number = std::numeric_limits<double>::infinity();
-constexpr int steps_per_method = 6;    // half a power of ten apart
-constexpr double most_steps = 2e5;     // of one run, for one ball
-constexpr std::size_t most_balls = 9;  // beyond that the chart would take too long
-constexpr double longest_run = 20;     // simulated seconds
-constexpr double bounces = 4;          // in a run, about
-constexpr double without_bounces = 2;  // simulated seconds
+constexpr int steps_per_method = 6;          // half a power of ten apart
+constexpr double most_steps_of_a_run = 2e5;  // for one ball
+constexpr std::size_t most_balls = 9;        // beyond that the chart would take too long
+constexpr double longest_run = 20;           // simulated seconds
+constexpr double bounces = 4;                // in a run, about
+constexpr double without_bounces = 2;        // simulated seconds
 
 std::string setting_of(const Simulation& simulation) {
   const std::unique_ptr<Simulation> copy = simulation.clone();  // parameters() may change it
@@ -107,7 +107,7 @@ void ErrorChart::choose_steps() {
 
 bool ErrorChart::is_affordable(double dt) const {
   const double balls = static_cast<double>(start_->balls());
-  return duration_ / dt * balls * balls <= most_steps;
+  return duration_ / dt * balls * balls <= most_steps_of_a_run;
 }
 
 void ErrorChart::work(double seconds) {
