@@ -15,14 +15,14 @@
 #include "05_ball_collision/ball_collision.hpp"
 #include "physics/methods/stepping_methods.hpp"
 #include "physics/stability.hpp"
+#include "rounding.hpp"
 #include "run_program.hpp"
 
 using namespace bounce;
 using Eigen::Vector3d;
+using test::epsilon;
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 BallCollision two(double mass1, double mass2) {
   BallCollision scene;

@@ -16,12 +16,12 @@
 using namespace bounce;
 using Eigen::Vector3d;
 using test::run_program;
-using Ball = State<Vector3d>;
+using SpaceBall = State<Vector3d>;
 
 namespace {
 
 const auto rk4_step = [] {
-  return [](const auto& s, double t, Ball& x, double h) { rk4(s, t, x, h); };
+  return [](const auto& s, double t, SpaceBall& x, double h) { rk4(s, t, x, h); };
 };
 
 }  // namespace
@@ -35,7 +35,7 @@ TEST_CASE("hard case: a thin disc is not tunnelled, at 400 m/s and 10 ms a step"
       scene.damping = 0;
       scene.stiffness = 1e8;  // presses in by v / omega0 = 4 cm at most
       scene.disc.radius = 1;
-      Ball naive{{0.1, start, 0}, {0, -speed, 0}}, ball = naive;
+      SpaceBall naive{{0.1, start, 0}, {0, -speed, 0}}, ball = naive;
       Racket looked_at = scene;
       ContactSteps steps(scene, rk4_step);
       for (int i = 0; i < 20; ++i) {
@@ -60,7 +60,7 @@ TEST_CASE("hard case: a ball that is pressed in and slides off sideways gains no
   for (const double x : {0.25, 0.29, 0.299}) {
     Racket scene;
     scene.damping = 0;
-    Ball ball{{x, 0.05, 0}, {2, -0.5, 0}};  // half a radius deep, outwards
+    SpaceBall ball{{x, 0.05, 0}, {2, -0.5, 0}};  // half a radius deep, outwards
     const double before = scene.energy(0, ball).total();
     ContactSteps steps(scene, rk4_step);
     for (int i = 0; i < 50; ++i) steps(i * 1e-3, ball, 1e-3);
@@ -78,8 +78,8 @@ TEST_CASE(
   Racket scene;
   scene.damping = 0;
   const double through = 0.03;
-  const Ball inside{{0.3 - 1e-9, -through, 0}, {0, 0, 0}};
-  const Ball outside{{0.3 + 1e-9, -through, 0}, {0, 0, 0}};
+  const SpaceBall inside{{0.3 - 1e-9, -through, 0}, {0, 0, 0}};
+  const SpaceBall outside{{0.3 + 1e-9, -through, 0}, {0, 0, 0}};
   CHECK(scene.force(0, inside).y() > 1000);
   CHECK(scene.force(0, outside).y() < -500);  // of a ball that came along beside the disc
   CHECK(scene.energy(0, inside).spring - scene.energy(0, outside).spring > 50);
@@ -90,7 +90,7 @@ TEST_CASE(
   CHECK((scene.force(0, outside) - scene.force(0, inside)).norm() < 1e-3);
   for (const double speed : {0.5, 3.0, 8.0}) {
     Racket racket = scene;
-    Ball ball{{0.28, -through, 0}, {speed, 0, 0}};
+    SpaceBall ball{{0.28, -through, 0}, {speed, 0, 0}};
     const double before = racket.energy(0, ball).total();
     ContactSteps steps(racket, rk4_step);
     for (int i = 0; i < 100; ++i) steps(i * 1e-3, ball, 1e-3);

@@ -10,6 +10,7 @@
 #include "04_three_dimensions/exact.hpp"
 #include "07_tilted_plane/exact.hpp"
 #include "physics/events/event_driven.hpp"
+#include "rounding.hpp"
 #include "run_program.hpp"
 #include "run_with.hpp"
 #include "stages/methods.hpp"
@@ -17,6 +18,7 @@
 
 using namespace bounce;
 using Eigen::Vector3d;
+using test::epsilon;
 using test::run_program;
 using test::set;
 
@@ -25,7 +27,6 @@ namespace {
 using Run3 = OneBallRun<Damping, DampingExact>;
 using Run4 = OneBallRun<ThreeDimensions, ThreeDimensionsExact>;
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 const std::vector<Method> every_method{methods::explicit_euler, methods::semi_implicit_euler,
                                        methods::velocity_verlet, methods::rk4, methods::exact};
 

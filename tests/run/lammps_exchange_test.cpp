@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string program = "05_ball_collision ";
+const std::string balls_program = "05_ball_collision ";
 const std::string verlet = "--method velocity-verlet --dt 1e-4 --duration 0.1 ";
 
 std::size_t files_left() {
@@ -40,18 +40,19 @@ struct TemporaryFile {
 
 Outcome import(const std::string& text, const std::string& more) {
   const TemporaryFile dump("bounce_test.dump", text);
-  return run_program(program + "--headless " + more + " --import-lammps " + dump.path);
+  return run_program(balls_program + "--headless " + more + " --import-lammps " + dump.path);
 }
 
-const std::string header =
+const std::string dump_header =
     "ITEM: TIMESTEP\n500\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ss ss ss\n0 1\n0 1\n0 1\n";
 const std::string columns = "ITEM: ATOMS id x y z vx vy vz\n";
 
 }  // namespace
 
 TEST_CASE("--export-lammps writes balls, input script and a README of three lines, and ends") {
-  const Outcome run = run_program(
-      program + verlet + "--set scene=drop --set count=50 --set damping=30 --export-lammps out/");
+  const Outcome run =
+      run_program(balls_program + verlet +
+                  "--set scene=drop --set count=50 --set damping=30 --export-lammps out/");
   INFO(run.err);
   CHECK(run.code == 0);
   CHECK(files_left() == 1);
@@ -90,20 +91,21 @@ TEST_CASE("what LAMMPS would compute otherwise is not exported: exit code 2, and
       {"--method velocity-verlet --dt 3e-4 --duration 0.1", "whole"},
   };
   for (const auto& wrong : refused) {
-    const Outcome run = run_program(program + wrong.words + " --export-lammps out");
+    const Outcome run = run_program(balls_program + wrong.words + " --export-lammps out");
     INFO(wrong.words, "\n", run.err);
     CHECK(run.code == 2);
     CHECK(contains(run.err, wrong.says));
     CHECK(files_left() == 0);
   }
   // Without damping, neither the mass nor the pull before lift-off makes a difference.
-  CHECK(run_program(program + verlet + "--set contact=push-only --export-lammps out").code == 0);
-  CHECK(run_program(program + verlet + "--balls " + unequal.path + " --export-lammps out").code ==
+  CHECK(run_program(balls_program + verlet + "--set contact=push-only --export-lammps out").code ==
         0);
+  CHECK(run_program(balls_program + verlet + "--balls " + unequal.path + " --export-lammps out")
+            .code == 0);
 }
 
 TEST_CASE("a folder that is not empty stays as it is, and one that is half written goes") {
-  const std::string run_it = program + verlet + "--set scene=drop --export-lammps ";
+  const std::string run_it = balls_program + verlet + "--set scene=drop --export-lammps ";
   CHECK(test::run_program_with("mkdir out; touch out/mine;", run_it + "out").code == 2);
   CHECK(fs::exists(test::work_folder() + "/out/mine"));
   CHECK(files_left() == 1);
@@ -122,7 +124,7 @@ TEST_CASE("--import-lammps goes on from the last frame, whatever the order of it
   const std::string early =
       "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 1\n0 1\n0 1\n"
       "ITEM: ATOMS id x y z vx vy vz\n1 9 9 9 9 9 9\n";
-  const Outcome run = import(early + header +
+  const Outcome run = import(early + dump_header +
                                  "ITEM: ATOMS type vx vy vz id radius z y x mass\n"
                                  "1 0 0 -1 2 0.25 3 2 1 4\n1 0.5 0 0 1 0.125 0 1 0 2\n",
                              "--dt 0.0078125 --duration 4.90625 --csv - --at 3.90625,4.90625");
@@ -136,7 +138,7 @@ TEST_CASE("--import-lammps goes on from the last frame, whatever the order of it
 }
 
 TEST_CASE("a damaged dump is refused, with its line") {
-  const std::string good = header + columns + "1 0 1 0 0 0 0\n2 0 2 0 0 0 0\n";
+  const std::string good = dump_header + columns + "1 0 1 0 0 0 0\n2 0 2 0 0 0 0\n";
   CHECK(import(good, "").code == 0);
   const struct {
     std::string text, says;
@@ -145,10 +147,10 @@ TEST_CASE("a damaged dump is refused, with its line") {
       {"hello\n", "line 1: 'hello'"},
       {good.substr(0, good.size() - 14), "line 11: the file ends"},
       {good.substr(0, good.size() - 6), "line 11: there are 4 values for 7"},
-      {header + columns + "1 0 1 0 0 0 0\n1 0 2 0 0 0 0\n", "line 11: ball 1 comes twice"},
-      {header + columns + "1 0 1 0 0 0 0\n3 0 2 0 0 0 0\n", "line 11: column id: '3'"},
-      {header + columns + "1 0 1 0 nan 0 0\n2 0 2 0 0 0 0\n", "line 10: column vx: 'nan'"},
-      {header + "ITEM: ATOMS id x y z vx vy\n", "line 9: column vz is missing"},
+      {dump_header + columns + "1 0 1 0 0 0 0\n1 0 2 0 0 0 0\n", "line 11: ball 1 comes twice"},
+      {dump_header + columns + "1 0 1 0 0 0 0\n3 0 2 0 0 0 0\n", "line 11: column id: '3'"},
+      {dump_header + columns + "1 0 1 0 nan 0 0\n2 0 2 0 0 0 0\n", "line 10: column vx: 'nan'"},
+      {dump_header + "ITEM: ATOMS id x y z vx vy\n", "line 9: column vz is missing"},
       {good + "ITEM: TIMESTEP\n", "line 13: the file ends"},
       {"ITEM: TIMESTEP\nsoon\n", "line 2: TIMESTEP: 'soon'"},
       {"ITEM: TIMESTEP\n1\nITEM: NUMBER OF ATOMS\n0\n",
@@ -161,8 +163,8 @@ TEST_CASE("a damaged dump is refused, with its line") {
     CHECK(run.code == 2);
     CHECK(contains(run.err, damaged.says));
   }
-  CHECK(run_program(program + "--headless --import-lammps .").code == 2);
-  CHECK(run_program(program + "--headless --import-lammps no_such_file").code == 2);
+  CHECK(run_program(balls_program + "--headless --import-lammps .").code == 2);
+  CHECK(run_program(balls_program + "--headless --import-lammps no_such_file").code == 2);
   const Outcome other = import(good, "--set scene=drop");
   CHECK(other.code == 2);
   CHECK(contains(other.err, "mass and radius"));

@@ -12,6 +12,7 @@
 #include "03_damping/exact.hpp"
 #include "04_three_dimensions/exact.hpp"
 #include "04_three_dimensions/three_dimensions.hpp"
+#include "rounding.hpp"
 #include "run/save_load.hpp"
 #include "run_program.hpp"
 #include "run_with.hpp"
@@ -19,6 +20,7 @@
 
 using namespace bounce;
 using Eigen::Vector3d;
+using test::epsilon;
 using test::run_with;
 using test::set;
 
@@ -27,7 +29,6 @@ namespace {
 using Run3 = OneBallRun<Damping, DampingExact>;
 using Run4 = OneBallRun<ThreeDimensions, ThreeDimensionsExact>;
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double duration = 3;  // s: four bounces from a height of 1 m
 constexpr double steps_sizes[] = {1e-2, 1e-3, 1e-4};
 const std::vector<Method> stepping{methods::explicit_euler, methods::semi_implicit_euler,

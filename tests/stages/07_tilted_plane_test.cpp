@@ -12,12 +12,14 @@
 #include "04_three_dimensions/three_dimensions.hpp"
 #include "07_tilted_plane/exact.hpp"
 #include "07_tilted_plane/tilted_plane.hpp"
+#include "rounding.hpp"
 #include "run_program.hpp"
 #include "run_with.hpp"
 #include "stages/scene_simulations.hpp"
 
 using namespace bounce;
 using Eigen::Vector3d;
+using test::epsilon;
 using test::run_with;
 using test::text;
 using test::Values;
@@ -28,10 +30,9 @@ using Run3 = OneBallRun<Damping, DampingExact>;
 using Run4 = OneBallRun<ThreeDimensions, ThreeDimensionsExact>;
 using Run7 = OneBallRun<TiltedPlane, TiltedPlaneExact>;
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double g = 9.81;
-const std::vector<Method> all_methods{methods::explicit_euler, methods::semi_implicit_euler,
-                                      methods::velocity_verlet, methods::rk4, methods::exact};
+const std::vector<Method> every_method{methods::explicit_euler, methods::semi_implicit_euler,
+                                       methods::velocity_verlet, methods::rk4, methods::exact};
 
 /// Unit normals: level, tilted along x, along both, steep, and a wall.
 const std::vector<Vector3d> normals{
@@ -80,7 +81,7 @@ TEST_CASE("stage 7: without gravity and damper the plane is a mirror") {
 TEST_CASE("stage 7: across the plane it is stage 3 with gravity's normal component") {
   for (const Vector3d& n : normals) {
     for (const char* contact : {"may-pull", "push-only"}) {
-      for (const Method method : all_methods) {
+      for (const Method method : every_method) {
         for (const double dt : {1e-3, 1e-4}) {
           Run3 line = run_with<Run3>({{"gravity", to_text(g * n.y())},
                                       {"contact", contact},
@@ -126,7 +127,7 @@ TEST_CASE("stage 7: a ball at rest on the slope slides down at g sin(angle)") {
     const Vector3d downhill(std::cos(angle), -std::sin(angle), 0);
     const double a = g * std::sin(angle);
     const Vector3d start = (r - g * std::cos(angle) / k) * n;
-    for (const Method method : all_methods) {
+    for (const Method method : every_method) {
       for (const double dt : {1e-3, 1e-4}) {
         Run7 run = run_with<Run7>({{"normal", text(n)},
                                    {"damping", "50"},
@@ -167,7 +168,7 @@ TEST_CASE("stage 7: only the direction of the normal counts") {
     run.advance_to(2);
     return run.state();
   };
-  for (const Method method : all_methods) {
+  for (const Method method : every_method) {
     for (const double dt : {1e-3, 1e-4}) {
       const State<Vector3d> one = end_of_run(1, method, dt);
       const std::string name = name_of(method);
@@ -206,7 +207,7 @@ TEST_CASE("stage 7: a plane's equation is scaled as a whole") {
 TEST_CASE("stage 7: a level plane through 0 is stage 4, to the bit") {
   for (const char* normal : {"0,1,0", "0,7,0", "0,1e-9,0"}) {
     for (const char* contact : {"may-pull", "push-only"}) {
-      for (const Method method : all_methods) {
+      for (const Method method : every_method) {
         for (const double dt : {1e-2, 1e-3, 1e-4}) {
           const Values shared{
               {"position", "0.1,1,-0.3"}, {"velocity", "1,0.2,0.5"}, {"contact", contact}};

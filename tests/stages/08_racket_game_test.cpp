@@ -13,6 +13,7 @@
 #include "08_racket_game/racket_game.hpp"
 #include "08_racket_game/run/command_line.hpp"
 #include "08_racket_game/run/contact_steps.hpp"
+#include "rounding.hpp"
 #include "run/save_load.hpp"
 #include "run_program.hpp"
 #include "run_with.hpp"
@@ -20,6 +21,7 @@
 
 using namespace bounce;
 using Eigen::Vector3d;
+using test::epsilon;
 using test::set_up;
 using test::text;
 using test::Values;
@@ -29,7 +31,6 @@ namespace {
 
 using Run7 = OneBallRun<TiltedPlane, TiltedPlaneExact>;
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 const std::vector<Method> stepping{methods::explicit_euler, methods::semi_implicit_euler,
                                    methods::velocity_verlet, methods::rk4};
 
