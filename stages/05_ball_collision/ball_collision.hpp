@@ -77,7 +77,22 @@ struct BallCollision {
     return state.velocity * mass;
   }
 
-  std::vector<Parameter> parameters();
+  std::vector<Parameter> parameters() {
+    const char* meaning = "the same for floor and walls";
+    return {describe::gravity(gravity),
+            describe::stiffness(stiffness),
+            describe::damping(damping),
+            describe::contact(contact),
+            describe::floor(floor),
+            {"floor_stiffness", "N/m", meaning, &floor_stiffness, {1e-30, 1e30}, {500, 1e5}},
+            {"floor_damping", "N s/m", meaning, &floor_damping, {0, 1e30}, {0, 300}},
+            {"tray",
+             "m",
+             "walls at x = 0 and LX, z = 0 and LZ; 0 for none",
+             Components(tray),
+             {0, 1e15},
+             {0, 5}}};
+  }
 
   Ball ball(const State<Matrix>& state, Eigen::Index i) const {
     return {state.position.col(i), state.velocity.col(i), radius[i]};
@@ -180,23 +195,6 @@ inline double BallCollision::damper_power(const State<Matrix>& state) const {
     add(from_ball, m.overlap, m.separation_speed);
   });
   return power;
-}
-
-inline std::vector<Parameter> BallCollision::parameters() {
-  const char* meaning = "the same for floor and walls";
-  return {describe::gravity(gravity),
-          describe::stiffness(stiffness),
-          describe::damping(damping),
-          describe::contact(contact),
-          describe::floor(floor),
-          {"floor_stiffness", "N/m", meaning, &floor_stiffness, {1e-30, 1e30}, {500, 1e5}},
-          {"floor_damping", "N s/m", meaning, &floor_damping, {0, 1e30}, {0, 300}},
-          {"tray",
-           "m",
-           "walls at x = 0 and LX, z = 0 and LZ; 0 for none",
-           Components(tray),
-           {0, 1e15},
-           {0, 5}}};
 }
 
 }  // namespace bounce

@@ -26,7 +26,7 @@ says '    seen      right in the air, exactly at the touch and in contact at res
 says '    seen      where it is wrong: g, without the mass in place of the weight m g and the damper has the wrong sign' \
   '    様子        間違っているところでは、重力 m g の代わりに質量のない g があります、ダンパの力の符号が逆です'
 says '    seen      in contact on the way in: the spring is taken 2 times and the damper is missing' \
-  '    様子        接触中（入るとき）：ばねの力が 2 倍になっています、ダンパの力がありません'
+  '    様子        接触中（沈み込むとき）：ばねの力が 2 倍になっています、ダンパの力がありません'
 says '    seen      beside the disc, near its rim: r1 is taken 2 times and r2 is missing' \
   '    様子        円板の横、縁の近く：r1 が 2 倍になっています、r2 がありません'
 says '    seen      wrong in every case; the whole push, along y, in place of the spring and the damper' \

@@ -8,6 +8,8 @@
 #include <regex>
 #include <sstream>
 
+#include "docs/lesson_values.hpp"
+
 namespace bounce::test {
 namespace {
 
@@ -49,7 +51,7 @@ Page taken_apart(const std::string& text) {
     if (begins(line, "<!-- english: ")) continue;
     const bool made = marked;
     if (!made) page.prose += line + "\n";
-    marked = begins(line, "<!-- ") && !begins(line, "<!-- by hand");
+    marked = begins(line, "<!-- ") && !begins(line, "<!-- by hand") && !begins(line, "<!-- value");
     if (begins(line, "<!-- ")) page.markers.push_back(line);
     if (begins(line, "#")) page.levels.push_back(line.substr(0, line.find(' ')));
     if (begins(line, "```")) {
@@ -157,18 +159,20 @@ std::vector<fs::path> japanese_pages(const fs::path& root) {
   std::vector<fs::path> pages;
   for (const fs::directory_entry& entry : fs::directory_iterator(root / "docs/ja")) {
     const fs::path name = entry.path().filename();
-    if (name.extension() == ".md" && fs::exists(root / "docs" / name))
+    if (name.extension() == ".md" && fs::exists(root / english_of(name)))
       pages.push_back("docs/ja" / name);
   }
   std::sort(pages.begin(), pages.end());
   return pages;
 }
 
-fs::path english_of(const fs::path& japanese) { return "docs" / japanese.filename(); }
+fs::path english_of(const fs::path& japanese) {
+  return japanese.filename() == "start.md" ? "README.md" : "docs" / japanese.filename();
+}
 
 std::string stamp_of(const std::string& english) {
   std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a
-  for (const char c : taken_apart(english).prose) {
+  for (const char c : taken_apart(without_values(english)).prose) {
     hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
   }
   char text[40];

@@ -132,10 +132,12 @@ TEST_CASE(
     "a measured number in a sentence of a lesson has a marker: it is checked, or says why not") {
   for (const std::string& lesson : all_lessons()) {
     if (lesson == "your_project") continue;  // nothing there was measured
-    const std::string file = "docs/" + lesson + ".md";
-    const std::string text = read_file(std::string(BOUNCE_SOURCE_DIR) + "/" + file);
-    for (const bounce::test::Finding& one : bounce::test::unmarked_numbers(text)) {
-      FAIL_CHECK(file << ":" << one.line << ": " << one.message);
+    for (const char* folder : {"docs/", "docs/ja/"}) {
+      const std::string file = folder + lesson + ".md";
+      const std::string text = read_file(std::string(BOUNCE_SOURCE_DIR) + "/" + file);
+      for (const bounce::test::Finding& one : bounce::test::unmarked_numbers(text)) {
+        FAIL_CHECK(file << ":" << one.line << ": " << one.message);
+      }
     }
   }
 }

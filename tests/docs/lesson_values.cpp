@@ -186,6 +186,27 @@ Lines with_values(const Lines& paragraph, const Runner& run) {
   return made;
 }
 
+std::string without_values(const std::string& text) {
+  const std::string equals = " = ";
+  Lines values;
+  std::istringstream lines(text);
+  std::string made;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty()) values.clear();
+    if (is_marker(line)) {
+      const std::string number = number_of(line.substr(marker_begin.size()));
+      if (line.compare(marker_begin.size() + number.size(), equals.size(), equals) == 0) {
+        values.push_back(without_sign(number));
+        line.replace(marker_begin.size(), number.size(), "#");
+      }
+    } else {
+      for (const std::string& value : values) replace_number(line, value, "#");
+    }
+    made += line + "\n";
+  }
+  return made;
+}
+
 std::vector<Finding> unmarked_numbers(const std::string& text) {
   std::vector<Finding> findings;
   std::set<std::string> marked;
