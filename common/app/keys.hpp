@@ -11,7 +11,7 @@ struct Key {
 };
 
 /// The keys of all stages, for the page of help.
-inline constexpr std::array<Key, 10> keys{
+inline constexpr std::array<Key, 10> all_keys{
     {{"P, Space", "pause, play"},
      {".  or Right", "one step forward"},
      {",  or Left", "one step back"},

@@ -5,6 +5,11 @@ const $ = id => document.getElementById(id), root = document.documentElement, ba
 $('theme').onclick = () => { root.dataset.theme = root.dataset.theme === 'dark' ? 'light' : 'dark'; try { localStorage.theme = root.dataset.theme; } catch { /* a page that may keep nothing */ } };
 $('menu').onclick = () => $('menu').setAttribute('aria-expanded', document.body.classList.toggle('menu'));
 
+/** What is too wide scrolls by itself; with the keyboard, too. */
+const scrollable = () => document.querySelectorAll('pre, .table, .katex-display').forEach(box => { if (box.scrollWidth > box.clientWidth) box.tabIndex = 0; else box.removeAttribute('tabindex'); });
+addEventListener('resize', scrollable);
+document.fonts.ready.then(scrollable);
+
 let index = null; // loaded when somebody wants to search
 $('search').onfocus = () => { index ??= Promise.all([import('./minisearch.js'), fetch(`${base}assets/search.${lang}.json`).then(answer => answer.text())]).then(([m, text]) => m.default.loadJSON(text, searched(lang))); };
 $('search').oninput = async () => {

@@ -29,10 +29,8 @@ const highlight = (code, language) => languages[language] ? hljs.highlight(code,
 const slug = text => text.trim().toLowerCase().replace(/[^\p{L}\p{N}\s_-]/gu, '').replace(/\s/g, '-'); // as GitHub does
 const md = new MarkdownIt({ html: true, highlight }).use(katexInMarkdown.default ?? katexInMarkdown, { throwOnError: true, strict: 'error' })
   .use(anchor, { slugify: slug, permalink: anchor.permalink.headerLink() });
-md.renderer.rules.table_open = () => '<div class="table" tabindex="0"><table>';
+md.renderer.rules.table_open = () => '<div class="table"><table>';
 md.renderer.rules.table_close = () => '</table></div>';
-const fence = md.renderer.rules.fence;
-md.renderer.rules.fence = (...all) => fence(...all).replace('<pre', '<pre tabindex="0"');
 
 // ---- Which pages there are, and in which order
 const folders = ['', 'deeper', 'ja', 'ja/deeper'].filter(folder => existsSync(join(docs, folder)));
@@ -102,11 +100,11 @@ for (const path of pages) {
   ids.set(path, new Set());
   tokens.forEach((token, i) => {
     if (token.type === 'heading_open') {
-      const id = token.attrGet('id'), name = tokens[i + 1].content;
+      const id = token.attrGet('id'), name = tokens[i + 1].children.map(child => child.content).join('');
       ids.get(path).add(id);
       section = { id: page(path) + '#' + id, title: (token.tag === 'h1' ? '' : titles.get(path) + ' › ') + name, text: '' };
       search[language(path)].push(section);
-      if (token.tag === 'h2') toc.push(`<li><a href="#${id}">${md.renderInline(name)}</a></li>`);
+      if (token.tag === 'h2') toc.push(`<li><a href="#${id}">${md.renderer.renderInline(tokens[i + 1].children.filter(child => !child.type.startsWith('link')), md.options, {})}</a></li>`);
     }
     if (section && (token.type === 'inline' || token.type === 'fence')) section.text += token.content + ' ';
     for (const child of token.children ?? []) {
@@ -131,7 +129,7 @@ for (const source of sources) {
     write(code(source), shell(code(source), source, `<h1><code>${source}</code></h1><ul>${files.map(f => `<li><a href="${relative(dirname(code(source)), code(join(source, f)))}">${f}</a></li>`).join('')}</ul>`));
   } else {
     const text = read(join(root, source));
-    write(code(source), shell(code(source), source, `<h1><code>${source}</code></h1><pre tabindex="0"><code>${highlight(text, source.split('.').pop()) || md.utils.escapeHtml(text)}</code></pre>`));
+    write(code(source), shell(code(source), source, `<h1><code>${source}</code></h1><pre><code>${highlight(text, source.split('.').pop()) || md.utils.escapeHtml(text)}</code></pre>`));
   }
 }
 for (const [lang, sections] of Object.entries(search)) {
