@@ -12,8 +12,7 @@ void ManyBalls::move(const Laws& laws, const Eigen::VectorXd& mass, const Eigen:
                      double dt, int threads) {
   if (mass.size() == 0 || count <= 0) return;
   dt_ = dt;
-  const int most =
-      static_cast<int>((static_cast<std::size_t>(mass.size()) + 2 * group - 1) / (2 * group));
+  const int most = static_cast<int>((mass.size() + 2 * group - 1) / (2 * group));
   Team team(std::min(threads, most));
 
   Pass step{};
