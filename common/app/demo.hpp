@@ -23,6 +23,7 @@ struct View {
   bool calm = false;                // nothing that flashes
   bool muted = false;               // no sound
   bool from_above = false;          // in space: the camera looks straight down
+  Rect whole{0, 0, 1280, 720};      // the picture of a demo without a panel
   std::vector<TracePoint> future;   // with the present setting, while a slider moves
   std::vector<TracePoint> earlier;  // with the setting before
 };

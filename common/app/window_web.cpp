@@ -168,6 +168,10 @@ EMSCRIPTEN_KEEPALIVE void page_see(const char* what, int on) {
   if (name == "trail") view.trail = on != 0;
   if (name == "calm") view.calm = on != 0;
 }
+/// How large the picture of a game is.
+EMSCRIPTEN_KEEPALIVE void page_size(float width, float height) {
+  page->view.whole = {0, 0, width, height};
+}
 EMSCRIPTEN_KEEPALIVE int page_press(int key) {
   return press(static_cast<char>(key), page->demo, page->playback, page->view, page->controls) ? 1
                                                                                                : 0;

@@ -35,24 +35,24 @@ md.renderer.rules.table_close = () => '</table></div>';
 // ---- Which pages there are, and in which order
 const folders = ['', 'deeper', 'ja', 'ja/deeper'].filter(folder => existsSync(join(docs, folder)));
 const order = folder => { const all = readdirSync(join(docs, folder)).filter(f => f.endsWith('.md')).sort(); return [...all.filter(f => f === 'README.md'), ...all.filter(f => /^\d/.test(f)), ...all.filter(f => !/^\d|README/.test(f))]; };
-const pages = folders.flatMap(folder => order(folder).map(f => join(folder, f)));
-const page = path => path.replace(/README\.md$/, 'index.html').replace(/\.md$/, '.html');
+const front = '../README.md'; // of the project: its Japanese is ja/start.md
+const pages = [...existsSync(join(root, 'README.md')) ? [front] : [], ...folders.flatMap(folder => order(folder).map(f => join(folder, f)))];
+const page = path => path === front ? 'start.html' : path.replace(/README\.md$/, 'index.html').replace(/\.md$/, '.html');
 const title = path => read(join(docs, path)).match(/^# (.*)$/m)?.[1] ?? path;
 const language = path => path.startsWith('ja/') ? 'ja' : 'en';
-const twin = path => { const other = language(path) === 'ja' ? path.slice(3) : join('ja', path); return pages.includes(other) ? other : ''; };
+const twin = path => { const other = path === front ? 'ja/start.md' : path === 'ja/start.md' ? front : language(path) === 'ja' ? path.slice(3) : join('ja', path); return pages.includes(other) ? other : ''; };
 const titles = new Map(pages.map(path => [path, title(path)])), ids = new Map(), wanted = [], sources = new Set(), search = { en: [], ja: [] };
 
 /** The address in the site of what a page links to. */
 function link(from, href) {
   if (/^[a-z]+:/.test(href)) return href;
-  const [path, hash] = href.split('#'), target = path ? normalize(join(dirname(from), path)) : from, suffix = hash ? '#' + hash : '';
-  if (pages.includes(target)) { if (hash) wanted.push([from, target, decodeURIComponent(hash)]); return (path && page(path)) + suffix; }
-  const file = join(docs, target);
+  const [path, hash] = href.split('#'), file = path ? join(docs, dirname(from), path) : join(docs, from), target = relative(docs, file);
+  const address = to => relative(dirname(page(from)), to) + (hash ? '#' + hash : '');
+  if (pages.includes(target)) { if (hash) wanted.push([from, target, decodeURIComponent(hash)]); return path ? address(page(target)) : '#' + hash; }
   if (!existsSync(file)) { problems.push(`${from}: ${href} is not there`); return href; }
-  if (!target.startsWith('..')) { cpSync(file, join(out, target), { recursive: true }); return href; }
-  const source = relative(root, file);
-  sources.add(source);
-  return '../'.repeat(from.split('/').length - 1) + code(source);
+  if (!target.startsWith('..') && !statSync(file).isDirectory()) { cpSync(file, join(out, target)); return address(target); }
+  sources.add(relative(root, file));
+  return address(code(relative(root, file)));
 }
 const code = source => join('code', source, statSync(join(root, source)).isDirectory() ? 'index.html' : '') + (statSync(join(root, source)).isDirectory() ? '' : '.html');
 
@@ -77,9 +77,21 @@ function markers(from, tokens) {
   }
 }
 
+/** A translation without markers of its own gets those of the page that it translates: before the same picture or heading. */
+function inherit(tokens, original) {
+  const is_live = token => token.type === 'html_block' && token.content.startsWith('<!-- live:');
+  const is_place = (token, i, all) => token.type === 'heading_open' && token.tag === 'h2' || token.type === 'paragraph_open' && all[i + 1].children.length === 1 && all[i + 1].children[0].type === 'image';
+  if (tokens.some(is_live)) return;
+  for (const marker of original.filter(is_live)) {
+    const count = original.slice(0, original.indexOf(marker)).filter((token, i) => is_place(token, i, original)).length;
+    const at = tokens.indexOf(tokens.filter((token, i) => is_place(token, i, tokens))[count]);
+    tokens.splice(at < 0 ? tokens.length : at, 0, marker);
+  }
+}
+
 // ---- A page
 function shell(path, name, body, toc = '') {
-  const base = '../'.repeat(path.split('/').length - 1), lang = language(path), say = text => t(text, lang), other = path.endsWith('.md') && twin(path);
+  const base = '../'.repeat(page(path).split('/').length - 1), lang = language(path), say = text => t(text, lang), other = path.endsWith('.md') && twin(path);
   const menu = pages.filter(p => language(p) === lang && !p.includes('deeper/')), deeper = p => join(dirname(p), 'deeper', basename(p));
   const entry = (p, text, kind) => `<li class="${kind}${p === path ? ' here' : ''}"><a href="${base}${page(p)}"${p === path ? ' aria-current="page"' : ''}>${text}</a></li>`;
   const nav = menu.map(p => entry(p, md.renderInline(titles.get(p).replace(/^(\d+)\. /, '$1\\. ')), '') + (pages.includes(deeper(p)) ? entry(deeper(p), say('second page'), 'deeper') : '')).join('');
@@ -112,10 +124,11 @@ for (const path of pages) {
       if (child.type === 'image') { child.attrSet('src', link(path, child.attrGet('src'))); child.attrSet('loading', 'lazy'); }
     }
   });
+  if (language(path) === 'ja' && twin(path)) inherit(tokens, md.parse(read(join(docs, twin(path))), {}));
   markers(path, tokens);
   let body = '';
   try { body = md.renderer.render(tokens, md.options, {}); } catch (error) { problems.push(`${path}: ${error.message}`); }
-  const menu = pages.filter(p => dirname(p) === dirname(path)), at = menu.indexOf(path), step = (p, text) => p ? `<a href="${page(basename(p))}">${text(md.renderInline(titles.get(p).replace(/^(\d+)\. /, '$1\\. ')))}</a>` : '<span></span>';
+  const menu = pages.filter(p => dirname(page(p)) === dirname(page(path))), at = menu.indexOf(path), step = (p, text) => p ? `<a href="${relative(dirname(page(path)), page(p))}">${text(md.renderInline(titles.get(p).replace(/^(\d+)\. /, '$1\\. ')))}</a>` : '<span></span>';
   body += `<div class="steps">${step(menu[at - 1], name => '← ' + name)}${step(menu[at + 1], name => name + ' →')}</div>`;
   write(page(path), shell(path, titles.get(path), body, '<ul>' + toc.join('') + '</ul>'));
 }

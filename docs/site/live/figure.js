@@ -8,7 +8,7 @@
 import { start } from './module.js';
 import { control, html, named, say, watch } from './words.js';
 
-const W = 640, H = 300, left = 48, right = W - 16, top = 18, bottom = H - 40;
+const H = 300, left = 48, top = 18, bottom = H - 40;
 
 const svg = (name, attributes, parent) => {
   const element = document.createElementNS('http://www.w3.org/2000/svg', name);
@@ -40,6 +40,7 @@ class Figure extends HTMLElement {
     watch(this, () => this.begin().catch(error => { this.append(html('p', { className: 'warning' }, String(error.message ?? error))); console.error(error); }),
       seen => { this.seen = seen; if (seen && this.parked) { this.parked(); this.parked = null; } });
   }
+  get right() { return this.wide - 16; }
   get(name, otherwise) { return this.getAttribute(name) ?? otherwise; }
 
   async begin() {
@@ -51,13 +52,14 @@ class Figure extends HTMLElement {
     this.bet = (this.get('bet', '').match(/^(\D+)(\d*)$/) ?? []).slice(1);
     const units = { t: 's', v: 'm/s', vx: 'm/s', vy: 'm/s', vz: 'm/s' }, called = { t: 'time', y: 'height', v: 'velocity', apart: 'how far apart' };
     this.axes = ['x', 'y'].map((axis, i) => { const column = this.get(axis, i ? 'y' : 't'); return { column, title: `${say(called[column] ?? column, this)} [${units[column] ?? 'm'}]` }; });
+    this.wide = Math.max(320, Math.min(640, this.clientWidth - 20));
     this.build();
     this.compute();
     this.ready = performance.now() - began;
   }
   build() {
     const { api } = this, s = text => say(text, this);
-    this.svg = svg('svg', { viewBox: `0 0 ${W} ${H}`, role: 'img', 'aria-label': `${this.about.title}: ${this.axes[1].title}, ${this.axes[0].title}` });
+    this.svg = svg('svg', { viewBox: `0 0 ${this.wide} ${H}`, role: 'img', 'aria-label': `${this.about.title}: ${this.axes[1].title}, ${this.axes[0].title}` });
     this.grid = svg('g', {}, this.svg);
     for (const line of ['pale', 'formula', 'floor', 'line']) this[line] = svg('path', { class: line }, this.svg);
     this.head = svg('circle', { r: 6, class: 'head', visibility: 'hidden' }, this.svg);
@@ -109,7 +111,7 @@ class Figure extends HTMLElement {
     this.range();
     this.formula.setAttribute('d', this.d(this.run.exact));
     const level = this.about.columns.includes('y') && this.axes[1].column === 'y' && !this.hasAttribute('nofloor');
-    this.floor.setAttribute('d', this.run.ground.length ? this.d(this.run.ground) : level ? `M${left} ${this.Y(0)}H${right}` : '');
+    this.floor.setAttribute('d', this.run.ground.length ? this.d(this.run.ground) : level ? `M${left} ${this.Y(0)}H${this.right}` : '');
     const { points, up } = this.run, { tops, touches } = moments(points, up), [what, which] = this.bet, n = (+which || 1) - 1;
     this.found = () => ({ top: tops[n], touch: touches[n], end: points.at(-1), tops: tops.reduce((best, top) => !best || Math.abs(top[1] - this.guess) < Math.abs(best[1] - this.guess) ? top : best, undefined) })[what];
     this.status.textContent = this.run.trouble || (this.run.exact.length ? say('dashed: by formula', this) : '');
@@ -128,12 +130,12 @@ class Figure extends HTMLElement {
       this.low[i] = Math.min(this.low[i] ?? low, Math.max(low, -1e3)); this.high[i] = Math.max(this.high[i] ?? high, Math.min(high, 1e3));
     });
     const [x0, y0] = this.low, [x1, y1] = this.high;
-    this.X = x => left + (right - left) * (x - x0) / (x1 - x0);
+    this.X = x => left + (this.right - left) * (x - x0) / (x1 - x0);
     this.Y = y => bottom - (bottom - top) * (y - y0) / (y1 - y0);
     this.grid.replaceChildren();
-    for (const [y, text] of ticks(y0, y1, 5)) { svg('path', { d: `M${left} ${this.Y(y)}H${right}`, class: 'grid' }, this.grid); svg('text', { x: left - 6, y: this.Y(y) + 5, class: 'end' }, this.grid).textContent = text; }
+    for (const [y, text] of ticks(y0, y1, 5)) { svg('path', { d: `M${left} ${this.Y(y)}H${this.right}`, class: 'grid' }, this.grid); svg('text', { x: left - 6, y: this.Y(y) + 5, class: 'end' }, this.grid).textContent = text; }
     for (const [x, text] of ticks(x0, x1, 6)) svg('text', { x: this.X(x), y: bottom + 18, class: 'middle' }, this.grid).textContent = text;
-    svg('text', { x: right, y: H - 4, class: 'end' }, this.grid).textContent = this.axes[0].title;
+    svg('text', { x: this.right, y: H - 4, class: 'end' }, this.grid).textContent = this.axes[0].title;
     svg('text', { x: left - 40, y: 12 }, this.grid).textContent = this.axes[1].title;
   }
   /** The curve as far as this share of it. */
@@ -154,7 +156,7 @@ class Figure extends HTMLElement {
     const { along } = this, goal = this.get('goal');
     this.answer = svg('circle', { r: 7, class: 'answer' }, this.svg);
     this.flag = svg('g', { class: 'flag' }, this.svg);
-    svg('path', { d: along ? `M${left} 0H${right}` : `M0 ${top}V${bottom}` }, this.flag);
+    svg('path', { d: along ? `M${left} 0H${this.right}` : `M0 ${top}V${bottom}` }, this.flag);
     svg('path', { d: along ? `M${left} 0l26 -9v18z` : `M0 ${bottom}l-9 -26h18z`, class: 'cloth' }, this.flag);
     this.put = value => {
       this.guess = Math.max(this.low[along], Math.min(this.high[along], value));
@@ -170,8 +172,8 @@ class Figure extends HTMLElement {
     this.play.parentElement.before(html('label', { className: 'row' }, html('span', {}, say('your bet', this)), this.input, this.said));
     const drag = event => {
       if (!event.buttons || this.shown) return;
-      const box = this.svg.getBoundingClientRect(), x = (event.clientX - box.left) / box.width * W, y = (event.clientY - box.top) / box.height * H;
-      this.put(along ? this.low[1] + (bottom - y) / (bottom - top) * (this.high[1] - this.low[1]) : this.low[0] + (x - left) / (right - left) * (this.high[0] - this.low[0]));
+      const box = this.svg.getBoundingClientRect(), x = (event.clientX - box.left) / box.width * this.wide, y = (event.clientY - box.top) / box.height * H;
+      this.put(along ? this.low[1] + (bottom - y) / (bottom - top) * (this.high[1] - this.low[1]) : this.low[0] + (x - left) / (this.right - left) * (this.high[0] - this.low[0]));
     };
     this.svg.addEventListener('pointerdown', event => { this.svg.setPointerCapture(event.pointerId); drag(event); });
     this.svg.addEventListener('pointermove', drag);

@@ -2,7 +2,7 @@
 // (common/app/window_web.cpp) is here under its own name: api.state(), api.set('damping', '18').
 const compiled = new Map(); // by stage: the code, ready to be run
 const types = { // [result, arguments]: s text, n number
-  about: 's', state: 's', refusal: 's', answer: 's', move: ' n', draw: ' n', set: 'sss', method: 'ssn', see: ' sn', press: 'nn', go_back: ' n',
+  about: 's', state: 's', refusal: 's', answer: 's', move: ' n', draw: ' n', size: ' nn', set: 'sss', method: 'ssn', see: ' sn', press: 'nn', go_back: ' n',
   pointer: 'nnnn', hold: ' n', knock: 'n', path: 'nnnn', values: 'nn', memory: 'n', rows: 'n',
 };
 const word = { s: 'string', n: 'number', ' ': null };

@@ -7,6 +7,7 @@ const parts = code => [code >>> 24, code >>> 16 & 255, code >>> 8 & 255];
 function darkened([r, g, b]) {
   const high = Math.max(r, g, b), low = Math.min(r, g, b), wanted = 20 + (255 - (high + low) / 2) * 0.86;
   const half = Math.min(high - low, 255 - Math.abs(2 * wanted - 255)) / 2; // as colourful as before, where there is room
+  if (high - low < 8) return [wanted - 4, wanted, wanted + 5].map(Math.round); // grey: as the page's
   return [r, g, b].map(c => Math.round(wanted + (high > low ? (2 * (c - low) / (high - low) - 1) * half : 0)));
 }
 

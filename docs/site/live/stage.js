@@ -5,15 +5,16 @@ import { start } from './module.js';
 import { penFor } from './pen.js';
 import { control, html, named, say, watch } from './words.js';
 
-const scene = [0, 0, 748, 540], energy = [748, 0, 92, 540], plots = [[0, 540, 420, 180], [420, 540, 420, 180]], chart = [64, 16, 340, 452], game = [0, 0, 1280, 720];
+const scene = [0, 0, 748, 540], energy = [748, 0, 92, 540], plots = [[0, 540, 420, 180], [420, 540, 420, 180]], chart = [64, 16, 340, 452];
 const held = { ArrowLeft: 1, ArrowRight: 2, ArrowUp: 4, ArrowDown: 8, ' ': 16, a: 32, d: 64, w: 128, s: 256 }; // a game's, while they are down
 const smallest = 11; // px, of text
+const short = value => Math.abs(value) < 1e-12 ? '0' : String(+value.toPrecision(3));
 const steps = [1e-5, 2e-5, 5e-5, 1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 1e-2, 2e-2, 5e-2, 0.1];
 
 /** Where the parts of the picture go on a canvas of this width, and how high it is: as in the window, or on a phone below each other. */
 function arrange(width, about, errors) {
   const put = (part, from, x, y, scale) => ({ part, from, x, y, scale });
-  if (about.game) return { height: width * 720 / 1280, parts: [put(0, game, 0, 0, width / 1280)] };
+  if (about.game) { const across = width > 620 ? 1280 : 720; return { height: width * 720 / across, parts: [put(0, [0, 0, across, 720], 0, 0, width / across)] }; }
   if (width > 620) {
     const s = width / 840, all = [put(0, scene, 0, 0, s), put(1, energy, 748 * s, 0, s), put(2, plots[0], 0, 540 * s, s), put(3, plots[1], 420 * s, 540 * s, s)];
     return { height: 720 * s, parts: errors ? [...all, put(4, chart, 64 * s, 16 * s, s)] : all };
@@ -118,9 +119,9 @@ class Stage extends HTMLElement {
     if (this.about.game) return;
     this.scrub.min = state.earliest; this.scrub.max = Math.max(state.t, state.earliest + 1e-9); this.scrub.value = state.t;
     put(this.clock, state.t.toFixed(2) + ' s');
-    for (const { name, number } of this.energies) put(number, state[name].toPrecision(3) + ' J');
-    put(this.facts, [state.evaluations ? `${state.evaluations.toPrecision(3)} ${s('force evaluations a second')}` : s('by formula, without steps'),
-      state.off === null ? '' : `${s('off by')} ${state.off.toPrecision(3)} m`, state.rate === 1 ? '' : `${s('time runs at')} ${state.rate.toPrecision(2)}`].filter(Boolean).join(' · '));
+    for (const { name, number } of this.energies) put(number, short(state[name]) + ' J');
+    put(this.facts, [state.evaluations ? `${short(state.evaluations)} ${s('force evaluations a second')}` : s('by formula, without steps'),
+      state.off === null ? '' : `${s('off by')} ${short(state.off)} m`, state.rate === 1 ? '' : `${s('time runs at')} ${state.rate.toPrecision(2)}`].filter(Boolean).join(' · '));
   }
 
   // ---- Keys and pointer. Keys count only while the picture has the focus.
@@ -185,6 +186,7 @@ class Stage extends HTMLElement {
     const dots = Math.min(3, devicePixelRatio || 1), w = Math.round(wide * dots), h = Math.round(height * dots);
     if (canvas.width !== w || canvas.height !== h) { canvas.width = w; canvas.height = h; canvas.style.aspectRatio = `${w}/${h}`; }
     this.wide = wide; this.high = height; this.parts = parts;
+    if (this.about.game) api.size(parts[0].from[2], 720);
     pen.dark = document.documentElement.dataset.theme === 'dark';
     ctx.setTransform(1, 0, 0, 1, 0, 0); ctx.fillStyle = pen.colour(0xfafaf7ff); ctx.fillRect(0, 0, w, h);
     for (const { part, from, x, y, scale } of parts) {

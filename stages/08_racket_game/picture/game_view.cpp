@@ -114,7 +114,7 @@ void GameView::draw_scene(Canvas& canvas, const Playback& playback, const View& 
 
 void GameView::draw(Canvas& canvas, const Playback& playback, const View& view) {
   const GameRun* game = run_if<GameRun>(playback.simulation());
-  area_ = game ? Rect{0, 0, layout::width, layout::height} : layout::scene;
+  area_ = game ? view.whole : layout::scene;
   canvas.push_clip(area_);
   draw_scene(canvas, playback, view);
   if (game) {
