@@ -1,6 +1,4 @@
 // What a page does besides its figures: light and dark, the menu on a phone, the search.
-import { searched, t } from '../live/language.js';
-
 const $ = id => document.getElementById(id), root = document.documentElement, base = $('search').dataset.base, lang = root.lang;
 $('theme').onclick = () => { root.dataset.theme = root.dataset.theme === 'dark' ? 'light' : 'dark'; try { localStorage.theme = root.dataset.theme; } catch { /* a page that may keep nothing */ } };
 $('menu').onclick = () => $('menu').setAttribute('aria-expanded', document.body.classList.toggle('menu'));
@@ -11,12 +9,17 @@ addEventListener('resize', scrollable);
 document.fonts.ready.then(scrollable);
 
 let index = null; // loaded when somebody wants to search
-$('search').onfocus = () => { index ??= Promise.all([import('./minisearch.js'), fetch(`${base}assets/search.${lang}.json`).then(answer => answer.text())]).then(([m, text]) => m.default.loadJSON(text, searched(lang))); };
+const load = async () => {
+  const [{ default: MiniSearch }, { searched, t }, answer] = await Promise.all([import('./minisearch.js'), import('../live/language.js'), fetch(`${base}assets/search.${lang}.json`)]);
+  const all = MiniSearch.loadJSON(await answer.text(), searched(lang));
+  return { search: words => all.search(words, { prefix: true, fuzzy: 0.15, boost: { title: 3 } }).slice(0, 8), nothing: t('nothing', lang) };
+};
+$('search').onfocus = () => { index ??= load(); };
 $('search').oninput = async () => {
-  const words = $('search').value, hits = words.trim() ? (await index).search(words, { prefix: true, fuzzy: 0.15, boost: { title: 3 } }).slice(0, 8) : [];
+  const words = $('search').value, { search, nothing } = await index, hits = words.trim() ? search(words) : [];
   if (words !== $('search').value) return; // typed on since
   const item = child => { const li = document.createElement('li'); li.append(child); return li; };
-  $('found').replaceChildren(...hits.map(hit => item(Object.assign(document.createElement('a'), { href: base + hit.id, textContent: hit.title }))), ...(words.trim() && !hits.length ? [item(t('nothing', lang))] : []));
+  $('found').replaceChildren(...hits.map(hit => item(Object.assign(document.createElement('a'), { href: base + hit.id, textContent: hit.title }))), ...(words.trim() && !hits.length ? [item(nothing)] : []));
 };
 document.onkeydown = event => {
   if (event.key === '/' && !/INPUT|TEXTAREA|SELECT|CANVAS/.test(event.target.tagName)) { event.preventDefault(); $('search').focus(); }

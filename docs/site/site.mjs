@@ -6,6 +6,7 @@
 import { createRequire } from 'node:module';
 import { readFileSync, writeFileSync, mkdirSync, cpSync, readdirSync, existsSync, statSync, rmSync } from 'node:fs';
 import { basename, dirname, join, normalize, relative } from 'node:path';
+import { fileURLToPath } from 'node:url';
 import MarkdownIt from 'markdown-it';
 import anchor from 'markdown-it-anchor';
 import katexInMarkdown from '@vscode/markdown-it-katex';
@@ -17,7 +18,7 @@ import python from 'highlight.js/lib/languages/python';
 import MiniSearch from 'minisearch';
 import { searched, t } from './live/language.js';
 
-const [docs, out, stages] = process.argv.slice(2).map(normalize), root = dirname(docs), here = import.meta.dirname ?? dirname(new URL(import.meta.url).pathname);
+const [docs, out, stages] = process.argv.slice(2).map(normalize), root = dirname(docs), here = dirname(fileURLToPath(import.meta.url));
 const problems = [], read = path => readFileSync(path, 'utf8');
 const write = (path, text) => { mkdirSync(dirname(join(out, path)), { recursive: true }); writeFileSync(join(out, path), text); };
 rmSync(out, { recursive: true, force: true });
@@ -103,7 +104,7 @@ function shell(path, name, body, toc = '') {
 <header><button id="menu" aria-label="${say('contents')}" aria-expanded="false">☰</button><a class="home" href="${base}${lang === 'ja' ? 'ja/' : ''}index.html">Bounce</a>
 <div class="find"><input id="search" type="search" placeholder="${say('search')}" aria-label="${say('search')}" data-base="${base}"><ul id="found" aria-live="polite"></ul></div>
 ${other ? `<a class="language" lang="${language(other)}" hreflang="${language(other)}" href="${base}${page(other)}">${lang === 'ja' ? 'English' : '日本語'}</a>` : ''}<button id="theme" aria-label="${say('dark or light')}">◐</button></header>
-<div class="columns"><nav aria-label="${say('contents')}"><ul>${nav}</ul></nav><main>${body}</main><aside aria-label="${say('on this page')}">${toc}</aside></div><script type="module" src="${base}assets/site.js"></script>${live}</body></html>`;
+<div class="columns"><nav aria-label="${say('contents')}"><ul>${nav}</ul></nav><main>${body}</main><aside aria-label="${say('on this page')}">${toc}</aside></div><script defer src="${base}assets/site.js"></script>${live}</body></html>`;
 }
 
 for (const path of pages) {
