@@ -1,6 +1,6 @@
 // <bounce-stage name="03_damping" words="--set damping=18">: a whole stage in a lesson. The C++ draws its picture on a <canvas>;
-// what can be moved are the page's own elements, made from the stage's table of parameters. Attribute `errors`: speed against
-// error, at once. What stands between the tags (the lesson's picture) is seen until then, and where there is no JavaScript.
+// what can be moved are the page's own elements, made from the stage's table of parameters. Attribute `at`: it has run so far
+// [s]; `errors`: speed against error, at once. What stands between the tags (the lesson's picture) is seen until then, and where there is no JavaScript.
 import { start } from './module.js';
 import { penFor } from './pen.js';
 import { control, html, named, say, watch } from './words.js';
@@ -48,12 +48,22 @@ class Stage extends HTMLElement {
     const api = this.api = await start(this.getAttribute('name'), this.getAttribute('words') ?? '', penFor(this.ctx));
     this.about = JSON.parse(api.about());
     if (this.hasAttribute('errors')) api.press('e'.charCodeAt());
+    this.runTo(Number(this.getAttribute('at')));
     if (matchMedia('(prefers-reduced-motion: reduce)').matches) { api.see('calm', 1); api.see('trail', 0); }
     this.canvas.setAttribute('aria-label', `${this.about.title}. ${this.about.question} P: ${say('play', this)}, F1: ${say('help', this)}.`);
     this.down = 0; this.frames = 0; this.costs = []; this.parts = [];
     this.build(); this.listen(); this.update(); this.draw();
     this.ready = performance.now() - began;
     this.wake();
+  }
+
+  /** As far as the moment that the lesson talks about. */
+  runTo(at) {
+    const { api } = this, now = () => JSON.parse(api.state()).t;
+    if (!at) return;
+    api.press('p'.charCodeAt());
+    for (let t = now(), n = 0; t < at - 1e-9 && n < 1000; t = now(), ++n) api.move(Math.min(.05, at - t));
+    api.press('p'.charCodeAt());
   }
 
   // ---- What can be moved

@@ -78,7 +78,8 @@ void draw_score_board(Canvas& canvas, const GameRun& run, Rect area, bool help, 
     facts += "     assist " + to_rounded_text(run.settings().assist) + " %";
   }
   if (muted) facts += "     sound off";
-  canvas.text({area.x + 28, area.y + 48}, facts, palette::exact, Align::left, TextSize::normal);
+  canvas.text({area.x + 28, area.y + 48}, facts, palette::exact, Align::left,
+              area.width < 1000 ? TextSize::tick : TextSize::normal);
   draw_keys(canvas, area, help);
   if (score.lost && !help) {
     const Point middle{area.x + area.width / 2, area.y + 190};
