@@ -15,7 +15,7 @@ const check = (good, text) => { ++checks; if (!good) { ++failures; console.log('
 const since = name => console.log(`${name}: ${((performance.now() - began) / 1000).toFixed(0)} s after the start`);
 const stages = readdirSync(join(site, 'live')).filter(f => f.endsWith('.wasm')).map(f => f.slice(0, -5));
 const median = list => [...list].sort((a, b) => a - b)[list.length >> 1];
-const quick = list => [...list].sort((a, b) => a - b)[list.length >> 2]; // of a machine that others use, too: the median of the quicker half
+const quick = list => [...list].sort((a, b) => a - b)[Math.floor(list.length / 10)]; // what it costs when nobody else uses the machine
 check(stages.length === 8, `there are ${stages.length} stages in the site, and not 8`);
 mkdirSync(shots, { recursive: true });
 
@@ -199,6 +199,22 @@ console.log(`a slider of a small figure to its whole curve: ${median(redraws).to
 const errors = page.locator('bounce-stage[errors]');
 await errors.scrollIntoViewIfNeeded();
 await page.waitForFunction(() => { const s = document.querySelector('bounce-stage[errors]'); return s.ready && !JSON.parse(s.api.state()).busy; }, null, { timeout: 30000 });
+const picture = page.locator('bounce-stage').first(), canvas = picture.locator('canvas');
+await canvas.scrollIntoViewIfNeeded();
+await canvas.focus();
+await page.keyboard.press('r');
+const box = await canvas.boundingBox(), at = (x, y) => [box.x + x / 840 * box.width, box.y + y / 840 * box.width]; // as in the window
+await page.mouse.move(...at(449, 124)); // the ball, at 1 m
+await page.mouse.down();
+await page.mouse.move(...at(449, 300), { steps: 5 });
+await page.waitForTimeout(200);
+const height = await picture.evaluate(stage => JSON.parse(stage.api.state()).height / 9.81);
+check(height > 0.4 && height < 0.55, `the ball does not follow the mouse: it is at ${height} m`);
+await page.mouse.up();
+for (const [key, what] of [['o', 'slow'], ['l', 'lens'], ['e', 'errors'], ['F1', 'help']]) {
+  await page.keyboard.press(key);
+  check(await picture.evaluate((stage, what) => JSON.parse(stage.api.state())[what], what), `the key ${key} does nothing`);
+}
 await errors.screenshot({ path: join(shots, 'errors.png') });
 await page.locator('#search').fill('restitution');
 await page.waitForFunction(() => document.querySelectorAll('#found a').length > 2);
