@@ -4,7 +4,6 @@
 #include <iostream>
 #include <utility>
 
-#include "app/palette.hpp"
 #include "run/output_file.hpp"
 
 namespace bounce {
@@ -45,33 +44,9 @@ static void refuse_same_file(const Options& options) {
   }
 }
 
-Plot plot_column(const std::string& title, const std::string& unit, const std::string& column) {
-  return {title, unit, palette::motion,
-          [column](const TracePoint& point) { return point.column(column); },
-          [column](const TracePoint& point) { return point.exact_column(column); }};
-}
-
-Plot plot_error(const std::string& title, const std::string& unit, const std::string& column) {
-  return {title, unit, palette::ink, [column](const TracePoint& point) {
-            return point.column(column) - point.exact_column(column);
-          }};
-}
-
-Plot plot_kinetic_energy(const std::string& title) {
-  return {title, "J", palette::motion,
-          [](const TracePoint& point) { return point.energy.kinetic; }};
-}
-
-Plot plot_spring_energy(const std::string& title) {
-  return {title, "J", palette::spring, [](const TracePoint& point) { return point.energy.spring; }};
-}
-
-Plot plot_lost_energy(const std::string& title) {
-  return {title, "J", palette::damper, [](const TracePoint& point) { return point.lost; }};
-}
-
-Plot plot_energy_error(const std::string& title) {
-  return {title, "J", palette::ink, [](const TracePoint& point) { return point.energy_error(); }};
+static int end(const Demo& demo, int code) {
+  if (code == exit_ok && demo.at_end) demo.at_end();
+  return code;
 }
 
 int play_demo(int argc, const char* const* argv, const Demo& demo) {
@@ -86,8 +61,8 @@ int play_demo(int argc, const char* const* argv, const Demo& demo) {
       if (const std::optional<int> code = demo.other_work(*simulation, options)) return *code;
     }
     if (!options.headless) {
-      if (show_window(demo, simulation->clone(), options)) return exit_ok;
-      return run_unseen(demo, simulation->clone(), options);
+      const bool shown = show_window(demo, simulation->clone(), options);
+      return end(demo, shown ? exit_ok : run_unseen(demo, simulation->clone(), options));
     }
     if (!options.csv.empty()) OutputFile::check("--csv", options.csv);
     if (!options.save.empty()) OutputFile::check("--save", options.save);
@@ -95,7 +70,7 @@ int play_demo(int argc, const char* const* argv, const Demo& demo) {
       save_picture(demo, simulation->clone(), options, options.screenshot);
     }
     if (!options.record.empty()) record_clip(demo, simulation->clone(), options, options.record);
-    return run_headless(demo.stage, *simulation, options);
+    return end(demo, run_headless(demo.stage, *simulation, options));
   });
 }
 

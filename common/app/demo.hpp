@@ -23,6 +23,7 @@ struct View {
   bool calm = false;                // nothing that flashes
   bool muted = false;               // no sound
   bool from_above = false;          // in space: the camera looks straight down
+  Rect whole{0, 0, 1280, 720};      // the picture of a demo without a panel
   std::vector<TracePoint> future;   // with the present setting, while a slider moves
   std::vector<TracePoint> earlier;  // with the setting before
 };
@@ -99,7 +100,8 @@ struct Demo {
   /// Work that an option of the stage asks for in place of the demo. Returns the exit code, or
   /// nothing when it was not asked for; may be empty.
   std::function<std::optional<int>(Simulation&, const Options&)> other_work;
-  bool bare = false;  // the picture alone: no panel, no plots
+  std::function<void()> at_end;  // after a run that went well; may be empty
+  bool bare = false;             // the picture alone: no panel, no plots
   /// For a game: called once a frame, before time moves. Space and the arrows are the game's then.
   std::function<void(Playback&, const View&, const Controls&)> control;
   std::function<Knock(const Playback&)> knock;  // may be empty

@@ -144,6 +144,10 @@ void Playback::change(const std::function<void(Simulation&)>& edit, bool start_a
   trouble_.clear();
   refused_ = false;
   simulation_->parameters_changed();
+  // It is seen at once, also while time stands still; and a ball that was put somewhere is there.
+  if (simulation_->values() != trace_.back().values) shown_time_ = simulation_->time();
+  if (trace_.back().t == simulation_->time()) trace_.pop_back();
+  remember();
 }
 
 }  // namespace bounce

@@ -1,6 +1,5 @@
 #include "app/window.hpp"
 
-#include <array>
 #include <iostream>
 #include <limits>
 
@@ -69,7 +68,7 @@ bool Window::tick(double real_seconds) {
   clock_ += real_seconds;
   for (SDL_Event event; SDL_PollEvent(&event) != 0;) handle(event);
   drag();
-  if (is_game() && seen_) play_game(real_seconds);
+  if (is_game(demo_) && seen_) play_game(real_seconds);
   const Uint64 begin = SDL_GetPerformanceCounter();
   if (!holding_) playback_.frame(real_seconds);
   const Uint64 moved = SDL_GetPerformanceCounter();
@@ -131,28 +130,18 @@ void Window::draw_chart() {
 }
 
 void Window::draw_help() {
-  static constexpr std::array<std::array<const char*, 2>, 12> keys{
-      {{"P, Space", "pause, play"},
-       {".  or Right", "one step forward"},
-       {",  or Left", "one step back"},
-       {"R", "restart"},
-       {"O", "slow motion (1/10)"},
-       {"L", "contact lens: a contact lasts a second"},
-       {"E", "speed against error, now: click a dot to choose it"},
-       {"T", "from above, from the side (stages in space)"},
-       {"mouse", "drag the ball, and throw it"},
-       {"F12", "save a picture"},
-       {"F1", "this page"},
-       {"Esc", "quit"}}};
   const Rect area{150, 110, 490, 354};
   draw_rect(canvas_, area, palette::paper.faded(0.95));
   draw_frame(canvas_, area, palette::ink, 1);
   float y = area.y + 16;
-  for (const auto& [key, meaning] : keys) {
-    canvas_.text({area.x + 24, y}, key, palette::ink, Align::left, TextSize::normal);
-    canvas_.text({area.x + 150, y}, meaning, palette::ink, Align::left, TextSize::normal);
+  const auto line = [&](const Key& key) {
+    canvas_.text({area.x + 24, y}, key.key, palette::ink, Align::left, TextSize::normal);
+    canvas_.text({area.x + 150, y}, key.meaning, palette::ink, Align::left, TextSize::normal);
     y += 27;
-  }
+  };
+  for (const Key& key : all_keys) line(key);
+  line({"F12", "save a picture"});
+  line({"Esc", "quit"});
 }
 
 void Window::read_pixels() {

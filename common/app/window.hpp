@@ -7,6 +7,7 @@
 #include "app/demo.hpp"
 #include "app/error_chart_view.hpp"
 #include "app/imgui_canvas.hpp"
+#include "app/keys.hpp"
 #include "app/panel.hpp"
 #include "app/picture_files.hpp"
 #include "app/plots.hpp"
@@ -46,7 +47,6 @@ class Window {
   void handle(const SDL_Event& event);
   void key(SDL_Keycode key);
   void drag();
-  bool is_game() const { return demo_.control && demo_.bare; }
   void play_game(double real_seconds);
   void sound();
   void draw();

@@ -34,58 +34,31 @@ bool Window::choose_from_chart(Point at) {
 }
 
 void Window::key(SDL_Keycode key) {
-  const bool is_for_the_game = key == SDLK_SPACE || key == SDLK_LEFT || key == SDLK_RIGHT;
-  if (is_game() && is_for_the_game) return;
   switch (key) {
     case SDLK_ESCAPE:
       closed_ = true;
       break;
-    case SDLK_p:
-    case SDLK_SPACE:
-      playback_.paused = !playback_.paused;
-      break;
-    case SDLK_PERIOD:
-    case SDLK_RIGHT:
-      playback_.step_forward();
-      break;
-    case SDLK_COMMA:
-    case SDLK_LEFT:
-      playback_.step_back();
-      break;
-    case SDLK_r:
-      playback_.restart();
-      break;
-    case SDLK_o:
-      playback_.rate = playback_.rate < 1 ? 1 : 0.1;
-      break;
-    case SDLK_l:
-      playback_.contact_lens = !playback_.contact_lens;
-      break;
-    case SDLK_t:
-      view_.from_above = demo_.in_space && !view_.from_above;
-      break;
-    case SDLK_e:
-      view_.chart = !view_.chart;
-      break;
-    case SDLK_m:
-      view_.muted = !view_.muted;
-      break;
-    case SDLK_MINUS:
-    case SDLK_KP_MINUS:
-      controls_.less = true;
-      break;
-    case SDLK_PLUS:
-    case SDLK_EQUALS:
-    case SDLK_KP_PLUS:
-      controls_.more = true;
-      break;
-    case SDLK_F1:
-      view_.help = !view_.help;
-      break;
     case SDLK_F12:
       screenshot_ = demo_.stage.name + ".png";
       break;
-    default:
+    case SDLK_F1:
+      press('?', demo_, playback_, view_, controls_);
+      break;
+    case SDLK_LEFT:
+    case SDLK_RIGHT:
+      if (!is_game(demo_)) {
+        press(key == SDLK_LEFT ? ',' : '.', demo_, playback_, view_, controls_);
+      }
+      break;
+    case SDLK_KP_MINUS:
+      press('-', demo_, playback_, view_, controls_);
+      break;
+    case SDLK_KP_PLUS:
+    case SDLK_EQUALS:
+      press('+', demo_, playback_, view_, controls_);
+      break;
+    default:  // SDL's code of a letter is the letter
+      if (key < 128) press(static_cast<char>(key), demo_, playback_, view_, controls_);
       break;
   }
 }

@@ -103,7 +103,7 @@ class Dump {
       }
       const long long id =
           file_.whole_number("column id", words_[place_[0]], {1, static_cast<double>(count)});
-      const Eigen::Index ball = id - 1;
+      const auto ball = static_cast<Eigen::Index>(id - 1);
       if (seen[static_cast<std::size_t>(ball)])
         file_.refuse_line("ball " + std::to_string(id) + " comes twice");
       seen[static_cast<std::size_t>(ball)] = true;

@@ -5,10 +5,13 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <numeric>
+#include <version>
 
 namespace bounce {
 
+#ifdef __cpp_lib_to_chars  // <charconv> has floating point
 std::optional<double> parse_number(std::string_view text) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   double value = 0;
@@ -23,6 +26,36 @@ std::string to_text(double value) {
   const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
   return error == std::errc{} ? std::string(digits.data(), end) : "?";
 }
+#else  // LLVM's library has it late: Apple's, and the one that makes web pages. The same answers:
+std::optional<double> parse_number(std::string_view text) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  // strtod also takes spaces, "nan", "inf", hexadecimal numbers, and 1e-400 for 0.
+  if (text.empty() || text.find_first_not_of("+-.0123456789eE") != text.npos) return std::nullopt;
+  if (text[0] == '+') return std::nullopt;
+  const std::string word(text);
+  char* end = nullptr;
+  const double value = std::strtod(word.c_str(), &end);
+  if (end != word.c_str() + word.size() || !std::isfinite(value)) return std::nullopt;
+  const std::string_view digits = text.substr(0, text.find_first_of("eE"));
+  if (value == 0 && digits.find_first_of("123456789") != digits.npos) return std::nullopt;
+  return value;
+}
+
+std::string to_text(double value) {
+  std::array<char, 400> shortest{}, fixed{};
+  for (int digits = 0; digits < 17; ++digits) {
+    std::snprintf(shortest.data(), shortest.size(), "%.*e", digits, value);
+    if (std::strtod(shortest.data(), nullptr) != value) continue;
+    // Of the two ways to write these digits the shorter one; as to_chars does.
+    const std::string scientific = shortest.data();
+    const std::size_t e = scientific.find('e');
+    const int decimals = digits - (e == scientific.npos ? 0 : std::atoi(&scientific[e + 1]));
+    std::snprintf(fixed.data(), fixed.size(), "%.*f", std::max(0, decimals), value);
+    return std::string(fixed.data()).size() <= scientific.size() ? fixed.data() : scientific;
+  }
+  return std::isnan(value) ? (std::signbit(value) ? "-nan" : "nan") : shortest.data();
+}
+#endif
 
 std::string to_text(std::span<const double> values) {
   std::vector<std::string> words;

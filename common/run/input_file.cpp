@@ -31,7 +31,7 @@ bool InputFile::next_line() {
 
 std::string InputFile::whole() {
   if (!std::filesystem::is_regular_file(path_)) refuse("it is no file that can be read");
-  std::string text(std::filesystem::file_size(path_), ' ');
+  std::string text(static_cast<std::size_t>(std::filesystem::file_size(path_)), ' ');
   file_.seekg(0);
   if (!file_.read(text.data(), static_cast<std::streamsize>(text.size()))) {
     refuse("it must be a file that can be read");

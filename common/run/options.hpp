@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -15,6 +16,20 @@ struct StageName {
   std::string name;
   std::string about;
 };
+
+/// Work on files, for an option of a stage or at a demo's end. A web page has no files: there it is
+/// left out, and with it all the code that reads and writes them.
+#ifdef __EMSCRIPTEN__
+template <class Work>
+std::nullptr_t with_files(const Work&) {
+  return nullptr;
+}
+#else
+template <class Work>
+Work with_files(Work work) {
+  return work;
+}
+#endif
 
 /// An option that one stage has besides those that all have.
 struct StageOption {

@@ -1,9 +1,9 @@
 #include "run/save_load.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <map>
 #include <sstream>
 #include <string_view>
@@ -43,7 +43,8 @@ constexpr const char* made_by = "it must be a file that --save wrote for this st
 void append_raw(std::string& text, const std::vector<double>& numbers) {
   text.reserve(text.size() + 8 * numbers.size() + 100);
   for (const double number : numbers) {
-    const auto bits = std::bit_cast<std::uint64_t>(number);
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &number, sizeof bits);
     char bytes[8];
     for (int i = 0; i < 8; ++i) bytes[i] = static_cast<char>((bits >> (8 * i)) & 0xff);
     text.append(bytes, 8);
@@ -57,7 +58,7 @@ std::vector<double> read_raw(std::string_view bytes) {
     for (std::size_t i = 0; i < 8; ++i) {
       bits |= std::uint64_t{static_cast<unsigned char>(bytes[8 * n + i])} << (8 * i);
     }
-    numbers[n] = std::bit_cast<double>(bits);
+    std::memcpy(&numbers[n], &bits, sizeof bits);
   }
   return numbers;
 }

@@ -18,8 +18,8 @@ int main(int argc, char** argv) {
   demo.plots = {plot_kinetic_energy("energy of motion"),
                 plot_spring_energy("energy in the springs")};
   demo.options = ball_collision_options();
-  demo.other_work = [&demo](Simulation& simulation, const Options& options) {
+  demo.other_work = with_files([&demo](Simulation& simulation, const Options& options) {
     return export_lammps(demo.stage, simulation, options);
-  };
+  });
   return play(argc, argv, demo);
 }

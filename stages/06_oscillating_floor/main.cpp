@@ -20,8 +20,8 @@ int main(int argc, char** argv) {
   demo.options = {{"--sweep", "NAME=FROM,TO,N",
                    "N values of a parameter: for each, 100 bounces after 300, to --csv or "
                    "--screenshot"}};
-  demo.other_work = [&demo](Simulation& simulation, const Options& options) {
+  demo.other_work = with_files([&demo](Simulation& simulation, const Options& options) {
     return run_sweep(simulation, options, demo);
-  };
+  });
   return play(argc, argv, demo);
 }

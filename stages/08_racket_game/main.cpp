@@ -8,8 +8,6 @@ using namespace bounce;
 int main(int argc, char** argv) {
   Demo demo;
   InputRecord record;
-  GameView view;
-  Hands hands;
   demo.stage = {"08_racket_game", "keep a falling ball in the air with a disc racket"};
   demo.title = "Stage 8: the racket game";
   demo.question =
@@ -20,11 +18,9 @@ int main(int argc, char** argv) {
   demo.bare = true;  // a game has no panel; the bare physics, which an option asks for, has one
   demo.options = racket_game_options(demo.bare, record);
   demo.plots = {plot_column("velocity along y (up)", "m/s", "vy")};
-  use_game_view(demo, view);
-  use_hands(demo, hands, view);
-  return guarded(demo.stage, GameRun(), [&]() -> int {
-    const int code = play(argc, argv, demo);
-    if (code == exit_ok && !record.path.empty()) write_input_log(record.path, *record.log);
-    return code;
+  use_hands(demo, use_game_view(demo));
+  demo.at_end = with_files([&record] {
+    if (!record.path.empty()) write_input_log(record.path, *record.log);
   });
+  return play(argc, argv, demo);
 }

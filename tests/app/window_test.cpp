@@ -138,8 +138,9 @@ TEST_CASE_FIXTURE(Fixture, "the ball can be dragged and thrown") {
   for (float y = 300; y > 250; y -= 10) mouse(SDL_MOUSEMOTION, x, y);
   const auto held = window.playback().simulation().values();
   CHECK(held[0] < start - 0.2);
-  CHECK(held[1] > 0.5);   // thrown upwards: 10 px a frame are 1.8 m/s
-  CHECK(held[1] <= 8.0);  // and never faster than the limit
+  CHECK(window.playback().shown_values() == held);  // it is seen where it is held
+  CHECK(held[1] > 0.5);                             // thrown upwards: 10 px a frame are 1.8 m/s
+  CHECK(held[1] <= 8.0);                            // and never faster than the limit
   mouse(SDL_MOUSEBUTTONUP, x, 250);
   CHECK(window.playback().simulation().error()->position < 1e-9);  // the comparison starts here
 }

@@ -20,6 +20,7 @@ namespace bounce::test {
 //   <!-- table: lesson_numbers NAME -->        what that program prints, as a table
 //   <!-- cases: naive_numbers NAME -->         a table whose second column that program prints: a
 //                                              line "CASE | TEXT" for each row, by its first cell
+//   <!-- live: STAGE ... -->                   nothing: the web page has a live figure here
 //   <!-- by hand: REASON -->                   not made; the reason says why
 //   <!-- english: HASH -->                     on top of a page of docs/ja: docs/japanese.hpp
 //

@@ -5,11 +5,11 @@
 // and look at the difference: rows that were not meant to change must not.
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <complex>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -29,7 +29,8 @@ namespace {
 class Hash {
  public:
   void add(double number) {
-    auto bits = std::bit_cast<std::uint64_t>(number);
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &number, sizeof bits);
     for (int byte = 0; byte < 8; ++byte, bits >>= 8)
       hash_ = (hash_ ^ (bits & 255)) * 1099511628211u;
   }

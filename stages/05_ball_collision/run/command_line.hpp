@@ -21,10 +21,13 @@ inline std::vector<StageOption> ball_collision_options() {
     }
     run_as<BallsRun>(*simulation).world().threads = static_cast<int>(*number);
   };
+  const auto import = [](Simulation& simulation, const std::string& path) {
+    import_lammps(simulation, path);
+  };
   return {{"--balls",
            "FILE",
            "balls from a CSV file in place of a scene: mass,radius,x,y,z,vx,vy,vz",
-           balls,
+           with_files(balls),
            {"scene", "count", "gap"}},
           {"--threads",
            "N",
@@ -36,7 +39,7 @@ inline std::vector<StageOption> ball_collision_options() {
            "go on from the last frame of a LAMMPS dump",
            {},
            {},
-           import_lammps},
+           with_files(import)},
           {"--export-lammps", "DIR", "write the run as files for LAMMPS, and end"}};
 }
 

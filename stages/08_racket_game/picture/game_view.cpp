@@ -112,9 +112,9 @@ void GameView::draw_scene(Canvas& canvas, const Playback& playback, const View& 
   }
 }
 
-void GameView::draw(Canvas& canvas, const Playback& playback, const View& view, bool bare) {
+void GameView::draw(Canvas& canvas, const Playback& playback, const View& view) {
   const GameRun* game = run_if<GameRun>(playback.simulation());
-  area_ = bare ? Rect{0, 0, layout::width, layout::height} : layout::scene;
+  area_ = game ? view.whole : layout::scene;
   canvas.push_clip(area_);
   draw_scene(canvas, playback, view);
   if (game) {
@@ -132,9 +132,10 @@ void GameView::draw(Canvas& canvas, const Playback& playback, const View& view, 
   canvas.pop_clip();
 }
 
-void use_game_view(Demo& demo, GameView& view) {
-  demo.picture = [&demo, &view](const Playback& playback, const View& seen, Canvas& canvas) {
-    view.draw(canvas, playback, seen, demo.bare);
+std::shared_ptr<GameView> use_game_view(Demo& demo) {
+  const auto view = std::make_shared<GameView>();
+  demo.picture = [view](const Playback& playback, const View& seen, Canvas& canvas) {
+    view->draw(canvas, playback, seen);
   };
   demo.knock = [](const Playback& playback) {
     const GameRun* game = run_if<GameRun>(playback.simulation());
@@ -145,6 +146,7 @@ void use_game_view(Demo& demo, GameView& view) {
     return game && game->round().score.lost && game->settings().player != PlayerKind::human &&
            game->round().clock - game->round().lost_clock > 2;
   };
+  return view;
 }
 
 }  // namespace bounce

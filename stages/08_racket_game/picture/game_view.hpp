@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 
 #include "08_racket_game/game/game_run.hpp"
@@ -21,7 +22,7 @@ Court court_of(const Simulation& simulation);
 /// The picture of ball and racket. It remembers where the camera is, which follows calmly.
 class GameView {
  public:
-  void draw(Canvas& canvas, const Playback& playback, const View& view, bool bare);
+  void draw(Canvas& canvas, const Playback& playback, const View& view);
 
   /// The point at the height of the racket's home that is seen at `pixel`.
   std::optional<Eigen::Vector3d> on_racket_plane(Point pixel) const;
@@ -38,7 +39,7 @@ class GameView {
   double last_t_ = -1;
 };
 
-/// Gives the demo this picture. `view` must live as long as the demo.
-void use_game_view(Demo& demo, GameView& view);
+/// Gives the demo this picture.
+std::shared_ptr<GameView> use_game_view(Demo& demo);
 
 }  // namespace bounce

@@ -1,10 +1,11 @@
 #pragma once
 #include <algorithm>
+#include <memory>
 
 #include "08_racket_game/game/game_run.hpp"
-#include "08_racket_game/picture/best_score.hpp"
 #include "08_racket_game/picture/game_view.hpp"
 #include "app/demo.hpp"
+#include "app/kept_number.hpp"
 
 namespace bounce {
 
@@ -55,23 +56,24 @@ class Hands {
 
   void keep_best(GameRun& run) {
     if (run.settings().player != PlayerKind::human || run.is_replay()) return;
-    if (best_ < 0) run.keep_best(best_ = file_.read());
-    if (run.round().score.best > best_) file_.write(best_ = run.round().score.best);
+    if (best_ < 0) run.keep_best(best_ = kept_number(best_score));
+    if (run.round().score.best > best_) keep_number(best_score, best_ = run.round().score.best);
   }
 
   struct Aim {
     double x = 0, z = 0;
   } aim_;
   bool swung_ = false;
-  BestScore file_;
+  static constexpr const char* best_score = "racket_game_best";
   int best_ = -1;  // not read yet
 };
 
-/// Gives the demo to a player's hands. Both must live as long as the demo.
-inline void use_hands(Demo& demo, Hands& hands, GameView& view) {
-  demo.control = [&hands, &view](Playback& playback, const View&, const Controls& controls) {
-    view.is_live = true;
-    if (run_if<GameRun>(playback.simulation())) hands(playback, controls, view);
+/// Gives the demo to a player's hands.
+inline void use_hands(Demo& demo, const std::shared_ptr<GameView>& view) {
+  demo.control = [hands = std::make_shared<Hands>(), view](Playback& playback, const View&,
+                                                           const Controls& controls) {
+    view->is_live = true;
+    if (run_if<GameRun>(playback.simulation())) (*hands)(playback, controls, *view);
   };
 }
 

@@ -28,10 +28,12 @@ const char* name_of(PlayerKind playback) {
 
 void draw_keys(Canvas& canvas, Rect area, bool help) {
   if (!help) {
-    draw_label(canvas, {area.x + 24, area.bottom() - 34},
-               "mouse or arrows: move    A D W S: tilt    Space or button: swing    "
-               "R: restart    - +: assist    M: sound    F1: all keys    Esc: quit",
-               palette::ink, Align::left, TextSize::normal);
+    const std::string line =
+        "mouse or arrows: move    A D W S: tilt    Space or button: swing    "
+        "R: restart    - +: assist    M: sound    F1: all keys    Esc: quit";
+    if (canvas.text_width(line, TextSize::normal) > area.width - 24) return;  // on a phone
+    draw_label(canvas, {area.x + 24, area.bottom() - 34}, line, palette::ink, Align::left,
+               TextSize::normal);
     return;
   }
   static constexpr std::array<std::array<const char*, 2>, 10> keys{
@@ -76,7 +78,8 @@ void draw_score_board(Canvas& canvas, const GameRun& run, Rect area, bool help, 
     facts += "     assist " + to_rounded_text(run.settings().assist) + " %";
   }
   if (muted) facts += "     sound off";
-  canvas.text({area.x + 28, area.y + 48}, facts, palette::exact, Align::left, TextSize::normal);
+  canvas.text({area.x + 28, area.y + 48}, facts, palette::exact, Align::left,
+              area.width < 1000 ? TextSize::tick : TextSize::normal);
   draw_keys(canvas, area, help);
   if (score.lost && !help) {
     const Point middle{area.x + area.width / 2, area.y + 190};

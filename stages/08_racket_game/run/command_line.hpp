@@ -62,8 +62,9 @@ inline std::vector<StageOption> racket_game_options(bool& is_game, InputRecord& 
     game.replay(std::make_shared<const InputLog>(read_input_log(path)));
   };
   return {player,
-          {"--record-input", "FILE", "write the last round's inputs when the program ends", record},
-          {"--replay", "FILE", "play recorded inputs in place of a player", replay}};
+          {"--record-input", "FILE", "write the last round's inputs when the program ends",
+           with_files(record)},
+          {"--replay", "FILE", "play recorded inputs in place of a player", with_files(replay)}};
 }
 
 }  // namespace bounce

@@ -1,0 +1,40 @@
+#include "app/kept_number.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+namespace bounce {
+namespace {
+
+std::filesystem::path data_folder() {
+  const auto variable = [](const char* name) -> std::filesystem::path {
+    const char* value = std::getenv(name);
+    return value == nullptr ? "" : value;
+  };
+  if (const auto data = variable("XDG_DATA_HOME"); !data.empty()) return data / "bounce";
+  if (const auto windows = variable("APPDATA"); !windows.empty()) return windows / "bounce";
+  if (const auto home = variable("HOME"); !home.empty()) {
+    return home / ".local" / "share" / "bounce";
+  }
+  return {};
+}
+
+}  // namespace
+
+int kept_number(const std::string& name) {
+  int number = 0;
+  std::ifstream file(data_folder() / (name + ".txt"));
+  return file >> number && number > 0 ? number : 0;
+}
+
+void keep_number(const std::string& name, int number) {
+  const std::filesystem::path folder = data_folder();
+  if (folder.empty()) return;
+  std::error_code ignored;
+  std::filesystem::create_directories(folder, ignored);
+  std::ofstream(folder / (name + ".txt")) << number << "\n";
+}
+
+}  // namespace bounce

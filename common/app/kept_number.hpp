@@ -1,0 +1,12 @@
+#pragma once
+#include <string>
+
+namespace bounce {
+
+/// A number that is kept from one run to the next, such as a best score: in the user's data folder,
+/// or in what a browser keeps for a page. 0 where there is none; where none can be kept, nothing
+/// is.
+int kept_number(const std::string& name);
+void keep_number(const std::string& name, int number);
+
+}  // namespace bounce

@@ -1,0 +1,51 @@
+#include "app/keys.hpp"
+
+namespace bounce {
+
+bool press(char key, const Demo& demo, Playback& playback, View& view, Controls& controls) {
+  switch (key) {
+    case ' ':
+      if (is_game(demo)) return false;
+      [[fallthrough]];
+    case 'p':
+      playback.paused = !playback.paused;
+      return true;
+    case '.':
+      playback.step_forward();
+      return true;
+    case ',':
+      playback.step_back();
+      return true;
+    case 'r':
+      playback.restart();
+      return true;
+    case 'o':
+      playback.rate = playback.rate < 1 ? 1 : 0.1;
+      return true;
+    case 'l':
+      playback.contact_lens = !playback.contact_lens;
+      return true;
+    case 't':
+      view.from_above = demo.in_space && !view.from_above;
+      return demo.in_space;
+    case 'e':
+      view.chart = !view.chart;
+      return true;
+    case 'm':
+      view.muted = !view.muted;
+      return true;
+    case '-':
+      controls.less = true;
+      return true;
+    case '+':
+      controls.more = true;
+      return true;
+    case '?':
+      view.help = !view.help;
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace bounce

@@ -1,0 +1,41 @@
+#pragma once
+#include <deque>
+#include <memory>
+#include <string>
+
+#include "app/demo.hpp"
+#include "app/error_chart_view.hpp"
+#include "app/keys.hpp"
+#include "app/page_canvas.hpp"
+#include "app/plots.hpp"
+
+namespace bounce {
+
+/// One stage in a page. A stage's main comes to its end before the page begins, hence the copy of
+/// its demo.
+struct Page {
+  Demo demo;
+  Playback playback;
+  std::unique_ptr<Simulation> fresh;  // the defaults
+  View view{};
+  PageCanvas canvas{};
+  PlotView plots[2]{};
+  ErrorChart chart{};
+  Controls controls{};
+  bool holding = false;
+  double clock = 0;  // s since the start
+  long long knocks = 0;
+  int future_frames = 0;
+  struct MouseSample {
+    double t;
+    Point at;
+  };
+  std::deque<MouseSample> mouse{};
+};
+/// What the page's controls are made from: the tables of parameters and dials, the methods. As
+/// JSON.
+std::string about_page(Page& page);
+/// What changes while it runs. As JSON.
+std::string state_of_page(Page& page);
+
+}  // namespace bounce

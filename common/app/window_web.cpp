@@ -1,0 +1,252 @@
+// The app in a web page, behind the same header as window.cpp: pictures go to a <canvas>, and
+// sliders, buttons and keys are the page's own (docs/site/live/stage.js), which calls the functions
+// at the end. No SDL, no Dear ImGui, no files.
+#include <emscripten.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/kept_number.hpp"
+#include "app/layout.hpp"
+#include "app/page.hpp"
+#include "app/page_words.hpp"
+#include "run/output_file.hpp"
+
+// clang-format off
+EM_JS(int, page_kept, (const char* name), { return Module.kept(UTF8ToString(name)); });
+EM_JS(void, page_keep, (const char* name, int number), { Module.keep(UTF8ToString(name), number); });
+// clang-format on
+
+namespace bounce {
+namespace {
+
+constexpr double future_length = 3;  // s drawn ahead while a slider moves
+constexpr int future_lingers = 150;  // frames after it was let go
+
+std::unique_ptr<Page> page;
+std::string answer;
+std::vector<double> rows;
+
+/// Calls `work`. The answer is what it throws, a sentence; or nothing, when all went well.
+template <class Work>
+const char* guard(const Work& work) {
+  answer.clear();
+  try {
+    work();
+  } catch (const std::exception& error) {
+    answer = error.what();
+  }
+  return answer.c_str();
+}
+
+/// The held ball follows the pointer, and leaves with its mean velocity over the last 80 ms.
+void drag(Page& p) {
+  if (!p.holding || p.mouse.empty()) return;
+  while (p.mouse.size() > 2 && p.mouse.front().t < p.clock - 0.08) p.mouse.pop_front();
+  const auto &first = p.mouse.front(), &last = p.mouse.back();
+  const auto span = static_cast<float>(last.t - first.t);
+  Point velocity{0, 0};
+  if (span > 0) velocity = {(last.at.x - first.at.x) / span, (last.at.y - first.at.y) / span};
+  p.demo.drag(p.playback, p.view, last.at, velocity);
+}
+
+bool choose_from_chart(Page& p, Point at) {
+  const auto choice = error_chart_choice(layout::chart, p.chart, at);
+  if (!p.view.chart || p.demo.bare || !choice) return false;
+  p.playback.change([&choice](Simulation& simulation) {
+    simulation.use_method(choice->method);
+    if (choice->dt > 0) simulation.use_dt(choice->dt);
+  });
+  return true;
+}
+
+}  // namespace
+
+int kept_number(const std::string& name) { return page_kept(name.c_str()); }
+void keep_number(const std::string& name, int number) { page_keep(name.c_str(), number); }
+
+bool has_window() { return true; }
+void save_picture(const Demo&, std::unique_ptr<Simulation>, const Options&, const std::string&) {
+  throw MachineFailure("a web page saves no pictures");
+}
+
+int play_demo(int argc, const char* const* argv, const Demo& demo) {
+  const std::string refused = guard([&] {
+    std::unique_ptr<Simulation> simulation = set_up(argc, argv, demo);  // may change demo.bare
+    page = std::make_unique<Page>(Page{demo, Playback(std::move(simulation)), demo.make()});
+    page->playback.paused = true;
+  });
+  return refused.empty() ? exit_ok : exit_input;
+}
+
+}  // namespace bounce
+
+using namespace bounce;
+
+extern "C" {
+
+/// Why there is no page, as a sentence.
+EMSCRIPTEN_KEEPALIVE const char* page_refusal() { return page ? "" : answer.c_str(); }
+EMSCRIPTEN_KEEPALIVE const char* page_about() { return (answer = about_page(*page)).c_str(); }
+EMSCRIPTEN_KEEPALIVE const char* page_state() { return (answer = state_of_page(*page)).c_str(); }
+
+/// One frame: what hands do, then `seconds` of movement. Draws nothing.
+EMSCRIPTEN_KEEPALIVE void page_move(double seconds) {
+  Page& p = *page;
+  p.clock += seconds;
+  drag(p);
+  if (is_game(p.demo)) {
+    p.controls.seconds = seconds;
+    p.demo.control(p.playback, p.view, p.controls);
+    p.controls.mouse_moved = p.controls.less = p.controls.more = false;
+  }
+  if (!p.holding) p.playback.frame(seconds);
+  if (p.demo.is_over && p.demo.is_over(p.playback)) p.playback.restart();
+  if (p.future_frames > 0 && !p.playback.paused) --p.future_frames;
+  p.view.future.clear();
+  if (p.future_frames > 0) p.view.future = p.playback.future(future_length);
+  if (p.future_frames == 0) p.view.earlier.clear();
+}
+
+/// A part of the picture: 0 the scene, 1 the energy, 2 and 3 the plots, 4 the chart of errors. Each
+/// is drawn where it stands in the window (layout.hpp).
+EMSCRIPTEN_KEEPALIVE void page_draw(int part) {
+  Page& p = *page;
+  if (part == 0) p.demo.picture(p.playback, p.view, p.canvas);
+  if (part == 1) draw_energy_column(p.canvas, layout::energy, p.playback.trace().back());
+  if (part == 2 || part == 3) {
+    const auto i = static_cast<std::size_t>(part - 2);
+    if (i < p.demo.plots.size())
+      p.plots[i].draw(p.canvas, layout::plots[i], p.demo.plots[i], p.playback);
+  }
+  if (part == 4) {
+    const Simulation& simulation = p.playback.simulation();
+    p.chart.follow(simulation, 15);
+    p.chart.work(0.004);
+    draw_error_chart(p.canvas, layout::chart, p.chart, simulation.method(), simulation.dt());
+  }
+}
+
+/// What a slider, a text field or a choice sets: a parameter or a dial.
+EMSCRIPTEN_KEEPALIVE const char* page_set(const char* name, const char* text) {
+  return guard([&] {
+    Page& p = *page;
+    if (p.future_frames == 0) p.view.earlier = p.playback.future(future_length);
+    p.future_frames = future_lingers;
+    for (const Dial& dial : p.demo.dials) {
+      const auto value = parse_number(text);
+      if (dial.name != name || !value) continue;
+      return p.playback.change([&](Simulation& simulation) { dial.set(simulation, *value); });
+    }
+    const std::vector<Parameter> now = p.playback.simulation().parameters();
+    p.playback.change(
+        [&](Simulation& simulation) {
+          const std::vector<Parameter> all = simulation.parameters();
+          const Parameter& changed = find_parameter(all, name);
+          if (p.demo.set) {
+            p.demo.set(simulation, changed, text);
+          } else {
+            changed.set(text);
+          }
+        },
+        find_parameter(now, name).is_start);
+  });
+}
+EMSCRIPTEN_KEEPALIVE const char* page_method(const char* name, double dt) {
+  return guard([&] {
+    page->playback.change([&](Simulation& simulation) {
+      simulation.use_method(find_method(name, simulation.methods()));
+      simulation.use_dt(dt);
+    });
+  });
+}
+EMSCRIPTEN_KEEPALIVE void page_see(const char* what, int on) {
+  View& view = page->view;
+  const std::string name = what;
+  if (name == "forces") view.forces = on != 0;
+  if (name == "exact") view.ghost = on != 0;
+  if (name == "trail") view.trail = on != 0;
+  if (name == "calm") view.calm = on != 0;
+}
+/// How large the picture of a game is.
+EMSCRIPTEN_KEEPALIVE void page_size(float width, float height) {
+  page->view.whole = {0, 0, width, height};
+}
+EMSCRIPTEN_KEEPALIVE int page_press(int key) {
+  return press(static_cast<char>(key), page->demo, page->playback, page->view, page->controls) ? 1
+                                                                                               : 0;
+}
+EMSCRIPTEN_KEEPALIVE void page_go_back(double t) { page->playback.go_back_to(t); }
+
+/// The pointer, where the window has it: 0 it moved, 1 it went down, 2 up. Returns whether it is
+/// used there.
+EMSCRIPTEN_KEEPALIVE int page_pointer(int kind, float x, float y) {
+  Page& p = *page;
+  const Point at{x, y};
+  p.controls.mouse = at;
+  p.controls.mouse_moved = true;
+  if (kind == 1) {
+    p.controls.button = true;
+    p.holding =
+        !choose_from_chart(p, at) && p.demo.is_on_ball && p.demo.is_on_ball(p.playback, p.view, at);
+    p.mouse.clear();
+  }
+  if (kind == 2) p.controls.button = p.holding = false;
+  if (p.holding) p.mouse.push_back({p.clock, at});
+  return p.holding || is_game(p.demo) ? 1 : 0;
+}
+/// The keys that are down, for a game.
+EMSCRIPTEN_KEEPALIVE void page_hold(int keys_down) {
+  Controls& c = page->controls;
+  bool* const held[] = {&c.left, &c.right, &c.up, &c.down, &c.space, &c.a, &c.d, &c.w, &c.s};
+  for (std::size_t i = 0; i < std::size(held); ++i) *held[i] = (keys_down >> i & 1) != 0;
+}
+/// The speed [m/s] of a hit that is new, or 0.
+EMSCRIPTEN_KEEPALIVE double page_knock() {
+  Page& p = *page;
+  if (!p.demo.knock) return 0;
+  const Knock knock = p.demo.knock(p.playback);
+  const bool is_new = knock.count > p.knocks && !p.view.muted;
+  p.knocks = knock.count;
+  return is_new ? knock.speed : 0;
+}
+
+/// A run from the start with these settings, by itself: at most about `count` rows of t, the
+/// trace's columns and, if asked for, the exact solution's; by whole steps. Returns how many
+/// numbers there are; page_rows says where.
+EMSCRIPTEN_KEEPALIVE int page_path(double seconds, int count, int with_exact) {
+  rows.clear();
+  guard([&] {
+    const std::unique_ptr<Simulation> run = page->playback.simulation().clone();
+    run->keep_energy_book(false);
+    run->restart();
+    const bool by_events = run->method().goes_by_events;
+    const double stride = seconds / (count - 1), whole = std::ceil(stride / run->dt() - 1e-9);
+    for (double row = 0; run->time() <= seconds * (1 + 1e-9); ++row) {
+      rows.push_back(run->time());
+      const auto append = [](const std::vector<double>& values) {
+        rows.insert(rows.end(), values.begin(), values.end());
+      };
+      append(run->values());
+      if (with_exact != 0) append(run->exact_values(run->time()));
+      if (by_events && row >= count - 1) break;
+      run->advance_to(by_events ? (row + 1) * stride
+                                : run->time_of_next_step() + (whole - 1) * run->dt());
+    }
+  });
+  return static_cast<int>(rows.size());
+}
+/// The run of the page itself, as a test drives it: on to the time t, and where it stands; then all
+/// that its next step depends on.
+EMSCRIPTEN_KEEPALIVE int page_values(double t) {
+  guard([&] { page->playback.simulation().advance_to(t); });
+  rows = page->playback.simulation().values();
+  return static_cast<int>(rows.size());
+}
+EMSCRIPTEN_KEEPALIVE int page_memory() {
+  rows = page->playback.simulation().memory().numbers;
+  return static_cast<int>(rows.size());
+}
+EMSCRIPTEN_KEEPALIVE const double* page_rows() { return rows.data(); }
+EMSCRIPTEN_KEEPALIVE const char* page_answer() { return answer.c_str(); }
+}
