@@ -16,9 +16,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path root = BOUNCE_SOURCE_DIR;
+const fs::path judge_root = BOUNCE_SOURCE_DIR;
 const std::vector<Phrases::Pair>& table() {
-  static const Phrases phrases((root / "tests/checks/japanese.txt").string());
+  static const Phrases phrases((judge_root / "tests/checks/japanese.txt").string());
   return phrases.pairs();
 }
 
@@ -91,17 +91,17 @@ std::vector<Literal> said_to_learners() {
   const auto take = [&all](const std::vector<Literal>& more) {
     all.insert(all.end(), more.begin(), more.end());
   };
-  for (const auto& entry : fs::directory_iterator(root / "tests/checks")) {
+  for (const auto& entry : fs::directory_iterator(judge_root / "tests/checks")) {
     const fs::path extension = entry.path().extension();
     const std::string name = entry.path().filename().string();
     if ((extension == ".cpp" || extension == ".hpp") && not_for_learners.count(name) == 0)
       take(literals_of(entry.path()));
   }
-  take(literals_of(root / "stages/new/check.cpp"));
-  take(literals_of(root / "tests/checks/plan.awk"));
-  take(formats_of(root / "tests/checks/compiler_said.sh", "", ""));
-  take(formats_of(root / "course", "# ---- What the machine", ""));
-  std::istringstream course(read_file((root / "course").string()));
+  take(literals_of(judge_root / "stages/new/check.cpp"));
+  take(literals_of(judge_root / "tests/checks/plan.awk"));
+  take(formats_of(judge_root / "tests/checks/compiler_said.sh", "", ""));
+  take(formats_of(judge_root / "course", "# ---- What the machine", ""));
+  std::istringstream course(read_file((judge_root / "course").string()));
   bool usage = false;
   for (std::string line; std::getline(course, line);) {
     if (usage && line != "TEXT") all.push_back({"course", line});

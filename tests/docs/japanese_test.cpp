@@ -16,20 +16,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path root = BOUNCE_SOURCE_DIR;
+const fs::path pages_root = BOUNCE_SOURCE_DIR;
 
-std::string text_of(const fs::path& file) { return read_file((root / file).string()); }
+std::string text_of(const fs::path& file) { return read_file((pages_root / file).string()); }
 
 /// All that is written in Japanese, but for the page that names the forbidden words.
 std::vector<fs::path> japanese_files() {
   std::vector<fs::path> files{"tests/checks/japanese.txt"};
-  for (const auto& entry : fs::directory_iterator(root / "docs/ja")) {
+  for (const auto& entry : fs::directory_iterator(pages_root / "docs/ja")) {
     if (entry.path().filename() != "terms.md") files.push_back("docs/ja" / entry.path().filename());
   }
-  for (const auto& entry : fs::recursive_directory_iterator(root / "stages")) {
+  for (const auto& entry : fs::recursive_directory_iterator(pages_root / "stages")) {
     const std::string name = entry.path().filename().string();
     if (name == "hints_ja.txt" || name == "gaps_ja.txt")
-      files.push_back(fs::relative(entry.path(), root));
+      files.push_back(fs::relative(entry.path(), pages_root));
   }
   return files;
 }
@@ -69,18 +69,18 @@ std::vector<Forbidden> forbidden_words(const std::string& terms) {
 }  // namespace
 
 TEST_CASE("each Japanese page says what the English one says") {
-  const std::vector<fs::path> pages = japanese_pages(root);
+  const std::vector<fs::path> pages = japanese_pages(pages_root);
   CHECK(pages.size() >= 14);
   for (const fs::path& page : pages) {
     for (const std::string& said :
-         differences(root, page, text_of(english_of(page)), text_of(page)))
+         differences(pages_root, page, text_of(english_of(page)), text_of(page)))
       FAIL_CHECK(page.string() << " and " << english_of(page).string() << " differ. " << said);
   }
 }
 
 TEST_CASE("no Japanese page is older than its English one") {
-  const std::string tool = (fs::relative(BOUNCE_BIN_DIR, root) / "update_lessons").string();
-  for (const fs::path& page : japanese_pages(root)) {
+  const std::string tool = (fs::relative(BOUNCE_BIN_DIR, pages_root) / "update_lessons").string();
+  for (const fs::path& page : japanese_pages(pages_root)) {
     const std::string text = text_of(page), stamp = stamp_of(text_of(english_of(page)));
     CHECK_MESSAGE(text.substr(0, text.find('\n')) == stamp, english_of(page).string(),
                   " has changed. Bring ", page.string(), " up to date, and then run  ", tool,
@@ -90,11 +90,11 @@ TEST_CASE("no Japanese page is older than its English one") {
 
 TEST_CASE("every lesson is there in Japanese, and so is its exercise") {
   int lessons = 0;
-  for (const auto& entry : fs::directory_iterator(root / "stages")) {
+  for (const auto& entry : fs::directory_iterator(pages_root / "stages")) {
     const fs::path stage = entry.path().filename();
     if (!fs::exists(entry.path() / "plain.cpp") || fs::exists(entry.path() / "tests")) continue;
     CAPTURE(stage.string());
-    CHECK(fs::exists(root / "docs/ja" / (stage.string() + ".md")));
+    CHECK(fs::exists(pages_root / "docs/ja" / (stage.string() + ".md")));
     CHECK(fs::exists(entry.path() / "hints_ja.txt"));
     CHECK(fs::exists(entry.path() / "gaps_ja.txt"));
     ++lessons;
@@ -158,7 +158,7 @@ TEST_CASE("what is emphasised, and what is a formula, is shown so") {
   CHECK(bare_sign("**床はばねです。**ボール") != "");
   CHECK(bare_sign("それは**「力」** です") != "");
   CHECK(bare_sign("それは *力* です") != "");
-  for (const fs::path& page : japanese_pages(root)) {
+  for (const fs::path& page : japanese_pages(pages_root)) {
     std::istringstream lines(text_of(page));
     int number = 0;
     bool fence = false;
@@ -176,7 +176,7 @@ TEST_CASE("what is emphasised, and what is a formula, is shown so") {
 
 TEST_CASE("what two pages may not differ in") {
   const auto differ = [](const std::string& english, const std::string& japanese) {
-    return differences(root, "docs/ja/01_free_fall.md", english, japanese).size();
+    return differences(pages_root, "docs/ja/01_free_fall.md", english, japanese).size();
   };
   CHECK(differ("# Fall\n\nIt falls for 10 s, [twice](00_plan.md) as `v`.\n",
                "# 落下\n\n10 s間、[2回](00_plan.md)、 `v` で落ちる。\n") == 0);
