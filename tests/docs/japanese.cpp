@@ -48,7 +48,8 @@ Page taken_apart(const std::string& text) {
   std::istringstream lines(text);
   bool marked = false;  // the line before is a marker of what is made
   for (std::string line; std::getline(lines, line);) {
-    if (begins(line, "<!-- english: ")) continue;
+    // The site gives a Japanese page the live figures of its English one.
+    if (begins(line, "<!-- english: ") || begins(line, "<!-- live: ")) continue;
     const bool made = marked;
     if (!made) page.prose += line + "\n";
     marked = begins(line, "<!-- ") && !begins(line, "<!-- by hand") && !begins(line, "<!-- value");
@@ -119,8 +120,9 @@ Counted places(const fs::path& root, const fs::path& page, const fs::path& twin,
     if (file.parent_path() == "docs" && fs::exists(root / japanese)) file = japanese;
     const bool only_japanese =
         file.parent_path() == "docs/ja" && !fs::exists(root / "docs" / file.filename());
-    const bool itself = file == "docs/ja" / page.filename() || file == page || file == twin;
-    if (!only_japanese && !itself) found[file.string() + target.substr(hash)] += count;
+    if (only_japanese || file == page || file == twin) continue;
+    // A heading is another one in Japanese.
+    found[file.string() + (file == japanese ? "" : target.substr(hash))] += count;
   }
   return found;
 }
