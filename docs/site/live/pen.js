@@ -30,8 +30,19 @@ export const penFor = ctx => heap => {
     if (!known.has(code)) known.set(code, `rgba(${pen.dark ? darkened(parts(code)) : parts(code)},${(code & 255) / 255})`);
     return known.get(code);
   };
+  const thin = new Map(); // the lines of a grid, a thousand: stroked together, by colour, before anything else is drawn
+  const flush = () => {
+    if (!thin.size) return;
+    for (const [code, ends] of thin) {
+      ctx.beginPath();
+      for (let i = 0; i < ends.length; i += 4) { ctx.moveTo(ends[i], ends[i + 1]); ctx.lineTo(ends[i + 2], ends[i + 3]); }
+      stroke(code, 1);
+    }
+    thin.clear();
+  };
   const trace = (at, count) => {
     const numbers = heap();
+    flush();
     ctx.beginPath(); ctx.moveTo(numbers[at], numbers[at + 1]);
     for (let i = 1; i < count; ++i) ctx.lineTo(numbers[at + 2 * i], numbers[at + 2 * i + 1]);
   };
@@ -43,18 +54,24 @@ export const penFor = ctx => heap => {
   const grow = size => size === 3 ? 1 : pen.grow;
   const pen = {
     dark: false, grow: 1, colour,
-    line(at, count, code, width) { trace(at, count); stroke(code, width); },
+    flush,
+    line(at, count, code, width) {
+      if (count !== 2 || width !== 1) { trace(at, count); stroke(code, width); return; }
+      const n = heap();
+      if (!thin.has(code)) thin.set(code, []);
+      thin.get(code).push(n[at], n[at + 1], n[at + 2], n[at + 3]);
+    },
     fill(at, count, code) { trace(at, count); fill(code); },
-    circle(x, y, radius, code, width) { ctx.beginPath(); ctx.arc(x, y, Math.max(0, radius), 0, 2 * Math.PI); if (width) stroke(code, width); else fill(code); },
-    ball(x, y, radius, code) { ctx.drawImage(sprite(code >>> 0), x - radius, y - radius, 2 * radius, 2 * radius); },
+    circle(x, y, radius, code, width) { flush(); ctx.beginPath(); ctx.arc(x, y, Math.max(0, radius), 0, 2 * Math.PI); if (width) stroke(code, width); else fill(code); },
+    ball(x, y, radius, code) { flush(); ctx.drawImage(sprite(code >>> 0), x - radius, y - radius, 2 * radius, 2 * radius); },
     text(x, y, words, code, align, size) {
       if (!pen.grow) return; // too small for words: the page says them
-      font(size); ctx.textAlign = ['left', 'center', 'right'][align]; ctx.textBaseline = 'top'; ctx.fillStyle = colour(code);
+      flush(); font(size); ctx.textAlign = ['left', 'center', 'right'][align]; ctx.textBaseline = 'top'; ctx.fillStyle = colour(code);
       ctx.fillText(words, x, y + 1 - (grow(size) - 1) * sizes[size] / 2);
     },
     width(words, size) { font(size); return ctx.measureText(words).width; },
-    push(x, y, width, height) { ctx.save(); ctx.beginPath(); ctx.rect(x, y, width, height); ctx.clip(); },
-    pop() { ctx.restore(); },
+    push(x, y, width, height) { flush(); ctx.save(); ctx.beginPath(); ctx.rect(x, y, width, height); ctx.clip(); },
+    pop() { flush(); ctx.restore(); },
   };
   return pen;
 };

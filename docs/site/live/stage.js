@@ -206,6 +206,7 @@ class Stage extends HTMLElement {
       pen.grow = part === 1 && scale < .7 ? 0 : Math.max(1, Math.min(2.6, smallest / (13 * scale)));
       if (part === 4) { ctx.fillStyle = pen.colour(0xfafaf7ff); ctx.fillRect(...from); }
       api.draw(part);
+      pen.flush();
       ctx.restore();
     }
   }
