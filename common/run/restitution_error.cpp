@@ -38,7 +38,7 @@ WorstBounce worst_bounce(const Method& method, const ContactNumbers& contact, do
   constexpr int moments = 192;
   const SmallBounce scene{{1, 2 * contact.zeta, contact.law}};
   AnyMethod<SteppingMethods<double>> one_ball;
-  one_ball.begin(methods::semi_implicit_euler);
+  one_ball.begin(method.order == 4 ? methods::rk4 : methods::semi_implicit_euler);
   one_ball.begin(method);
   const double is = restitution(scene.contact, 1);
   WorstBounce worst{is, is};

@@ -13,8 +13,8 @@ struct WorstBounce {
 
 /// Measured, not estimated: the method itself takes a ball through 192 bounces without gravity, on
 /// a contact with the same damping ratio and law, with the same omega0 dt. That is all a
-/// restitution depends on. For methods that go by steps; for a learner's own the lecture's loop
-/// stands in.
+/// restitution depends on. For methods that go by steps; RK4 stands in for those that are RK4 and
+/// locate touches besides, the lecture's loop for a learner's.
 WorstBounce worst_bounce(const Method& method, const ContactNumbers& contact, double dt);
 
 /// The step of `--dt auto` [s]: comfortable_step (stability.hpp), or less where this method's

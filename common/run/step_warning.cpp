@@ -21,8 +21,9 @@ std::string step_warning(const Simulation& simulation) {
            " s";
   }
   const std::optional<ContactNumbers> contact = simulation.contact();
-  if (!contact || simulation.method().goes_by_events || simulation.traits().cuts_steps) return "";
   const Method& method = simulation.method();
+  const bool is_known = method.stability_limit != nullptr;  // a learner's own method is not
+  if (!contact || method.goes_by_events || simulation.traits().cuts_steps || !is_known) return "";
   const double dt = simulation.dt();
   const double limit = method.largest_stable_step(contact->omega0, contact->zeta);
   const auto good_for = [&](const Method& of) {

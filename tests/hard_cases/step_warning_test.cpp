@@ -71,6 +71,43 @@ TEST_CASE("hard case: who is not warned has no bounce that is wrong by 0.1, what
   CHECK(silent > 300);
 }
 
+TEST_CASE("hard case: methods that locate touches are warned of in time, too") {
+  int silent = 0;
+  for (const Method& method : {methods::rk4_events, methods::flight_rk4}) {
+    for (const std::string law : {"may-pull", "push-only"}) {
+      for (const double zeta : dampings) {
+        for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9, 0.99}) {
+          auto run =
+              test::run_with<OneBallRun<Damping, DampingExact>>({{"gravity", "0"},
+                                                                 {"stiffness", "1"},
+                                                                 {"damping", to_text(2 * zeta)},
+                                                                 {"contact", law},
+                                                                 {"velocity", "-1"}},
+                                                                method);
+          const double dt = share * method.largest_stable_step(1, zeta);
+          run.use_dt(dt);
+          CAPTURE(name_of(method));
+          CAPTURE(law);
+          CAPTURE(zeta);
+          CAPTURE(dt);
+          if (!step_warning(run).empty()) continue;
+          ++silent;
+          const SpringDamper contact{
+              1, 2 * zeta, law == "may-pull" ? ContactLaw::may_pull : ContactLaw::push_only};
+          for (int moment = 0; moment < 16; ++moment) {
+            test::set(run, "position", to_text(0.1 + dt * (moment + 0.5) / 16));
+            run.restart();
+            run.advance_to(100);
+            const double speed = run.state().position > 0.1 ? run.state().velocity : 0;
+            CHECK(std::abs(speed - restitution(contact, 1)) <= 0.1);
+          }
+        }
+      }
+    }
+  }
+  CHECK(silent > 100);
+}
+
 TEST_CASE("hard case: the step of --dt auto is right to 0.01, whatever the method and contact") {
   for_each_contact([&](const Method& method, const Wall& wall) {
     const ContactLaw law = wall.only_pushes ? ContactLaw::push_only : ContactLaw::may_pull;
