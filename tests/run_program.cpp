@@ -52,8 +52,9 @@ Outcome run_program_with(const std::string& environment, const std::string& comm
   fs::remove_all(here);
   fs::create_directories(here / "work");
   const std::string shell = "cd " + quoted((here / "work").string()) + " && " + environment + " " +
-                            quoted(BOUNCE_BIN_DIR) + "/" + command +
-                            " > ../out 2> ../err < /dev/null";
+                            quoted(BOUNCE_BIN_DIR) + "/" + command + " > " +
+                            quoted((here / "out").string()) + " 2> " +
+                            quoted((here / "err").string()) + " < /dev/null";
   const int status = std::system(shell.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
           read_file((here / "out").string()), read_file((here / "err").string())};

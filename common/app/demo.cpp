@@ -9,10 +9,20 @@
 namespace bounce {
 namespace {
 
+/// Here, or in the folder for temporary files where nothing may be written here.
+std::string place_for(const std::string& file) {
+  try {
+    OutputFile::check("", file);
+    return file;
+  } catch (const BadInput&) {
+    return (std::filesystem::temp_directory_path() / file).string();
+  }
+}
+
 /// What is left to do without a display: a run, a trace, and a picture where that can be drawn.
 int run_unseen(const Demo& demo, std::unique_ptr<Simulation> simulation, Options options) {
-  options.csv = demo.stage.name + ".csv";
-  const std::string picture = demo.stage.name + ".png";
+  options.csv = place_for(demo.stage.name + ".csv");
+  const std::string picture = place_for(demo.stage.name + ".png");
   if (has_window()) save_picture(demo, simulation->clone(), options, picture);
   const int code = run_headless(demo.stage, *simulation, options);
   std::cerr << demo.stage.name << ": the trace is in " << options.csv

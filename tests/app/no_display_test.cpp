@@ -37,6 +37,18 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("no display, and a folder where nothing may be written: trace and picture go elsewhere") {
+  if (!fs::exists("/proc/self")) return;  // in which nobody may write, not even root
+  const std::string temporary = fs::temp_directory_path().string();
+  const Outcome run =
+      run_program_with("cd /proc && SDL_VIDEODRIVER=dummy", "01_free_fall --duration 1");
+  CAPTURE(run.err);
+  CHECK(run.code == 0);
+  CHECK(contains(run.err, "the trace is in " + temporary + "/01_free_fall.csv, the picture in "));
+  CHECK(is_png(temporary + "/01_free_fall.png"));
+  for (const char* file : {"/01_free_fall.csv", "/01_free_fall.png"}) fs::remove(temporary + file);
+}
+
 TEST_CASE("--screenshot writes the same picture every time, and needs no display") {
   const std::string command = "03_damping --screenshot picture.png --duration 0.6";
   REQUIRE(run_program_with("SDL_VIDEODRIVER=", command).code == 0);
