@@ -19,13 +19,14 @@ struct View {
   bool trail = true;
   bool ghost = true;
   bool help = false;
-  bool chart = false;               // speed against error
-  bool calm = false;                // nothing that flashes
-  bool muted = false;               // no sound
-  bool from_above = false;          // in space: the camera looks straight down
-  Rect whole{0, 0, 1280, 720};      // the picture of a demo without a panel
-  std::vector<TracePoint> future;   // with the present setting, while a slider moves
-  std::vector<TracePoint> earlier;  // with the setting before
+  bool chart = false;                 // speed against error
+  bool calm = false;                  // nothing that flashes
+  bool muted = false;                 // no sound
+  bool from_above = false;            // in space: the camera looks straight down
+  std::string tilt_keys = "A D W S";  // what is printed on the keys in these places
+  Rect whole{0, 0, 1280, 720};        // the picture of a demo without a panel
+  std::vector<TracePoint> future;     // with the present setting, while a slider moves
+  std::vector<TracePoint> earlier;    // with the setting before
 };
 
 /// A ball that is thrown with the pointer is not thrown faster [m/s].

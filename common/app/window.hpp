@@ -45,7 +45,8 @@ class Window {
 
  private:
   void handle(const SDL_Event& event);
-  void key(SDL_Keycode key);
+  void key(SDL_Keysym key);
+  void read_keyboard_layout();
   void drag();
   void play_game(double real_seconds);
   void sound();

@@ -7,7 +7,8 @@ namespace bounce {
 void Window::handle(const SDL_Event& event) {
   backend_->event(event);
   if (event.type == SDL_QUIT) closed_ = true;
-  if (event.type == SDL_KEYDOWN) key(event.key.keysym.sym);
+  if (event.type == SDL_KEYDOWN) key(event.key.keysym);
+  if (event.type == SDL_KEYMAPCHANGED) read_keyboard_layout();
   if (event.type == SDL_MOUSEMOTION) controls_.mouse_moved = true;
   if (event.type == SDL_MOUSEBUTTONDOWN && event.button.button == SDL_BUTTON_LEFT) {
     const Point at{static_cast<float>(event.button.x), static_cast<float>(event.button.y)};
@@ -33,7 +34,22 @@ bool Window::choose_from_chart(Point at) {
   return true;
 }
 
-void Window::key(SDL_Keycode key) {
+/// The keys that tilt the racket are places, so that they lie alike on every keyboard. What is
+/// printed on them? Where that is another alphabet, the Latin letters stand there, too.
+void Window::read_keyboard_layout() {
+  std::string names;
+  for (const SDL_Scancode place :
+       {SDL_SCANCODE_A, SDL_SCANCODE_D, SDL_SCANCODE_W, SDL_SCANCODE_S}) {
+    const SDL_Keycode key = SDL_GetKeyFromScancode(place);
+    if (key < 'a' || key > 'z') return;
+    names += std::string(names.empty() ? "" : " ") + SDL_GetKeyName(key);
+  }
+  view_.tilt_keys = names;
+}
+
+/// All other letters go by what the layout says, and by their place where it has no Latin ones.
+void Window::key(SDL_Keysym pressed) {
+  const SDL_Keycode key = pressed.sym;
   switch (key) {
     case SDLK_ESCAPE:
       closed_ = true;
@@ -57,9 +73,14 @@ void Window::key(SDL_Keycode key) {
     case SDLK_EQUALS:
       press('+', demo_, playback_, view_, controls_);
       break;
-    default:  // SDL's code of a letter is the letter
-      if (key < 128) press(static_cast<char>(key), demo_, playback_, view_, controls_);
+    default: {
+      const SDL_Scancode place = pressed.scancode;
+      const bool has_letter = key < 128 || place < SDL_SCANCODE_A || place > SDL_SCANCODE_Z;
+      const SDL_Keycode letter = has_letter ? key : 'a' + (place - SDL_SCANCODE_A);
+      // SDL's code of a letter is the letter.
+      if (letter < 128) press(static_cast<char>(letter), demo_, playback_, view_, controls_);
       break;
+    }
   }
 }
 

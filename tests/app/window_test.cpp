@@ -35,10 +35,11 @@ struct Fixture {
   void frames(int count) {
     for (int i = 0; i < count; ++i) window.tick(1.0 / 60);
   }
-  void press(SDL_Keycode key) {
+  void press(SDL_Keycode key, SDL_Scancode place = SDL_SCANCODE_UNKNOWN) {
     SDL_Event event{};
     event.type = SDL_KEYDOWN;
     event.key.keysym.sym = key;
+    event.key.keysym.scancode = place;
     SDL_PushEvent(&event);
     frames(1);
   }
@@ -94,6 +95,19 @@ TEST_CASE_FIXTURE(Fixture, "keys: pause, step, back, slow, lens, restart, help, 
   quit.key.keysym.sym = SDLK_ESCAPE;
   SDL_PushEvent(&quit);
   CHECK(!window.tick(1.0 / 60));
+}
+
+TEST_CASE_FIXTURE(Fixture,
+                  "keys go by their letter, and by their place where that has no Latin one") {
+  frames(2);
+  press(0x437, SDL_SCANCODE_P);  // Cyrillic ze
+  CHECK(window.playback().paused);
+  press(SDLK_p, SDL_SCANCODE_R);  // Dvorak: p is where others have r
+  CHECK(!window.playback().paused);
+  press(0x439, SDL_SCANCODE_Q);  // Cyrillic short i: nothing has the place of q
+  press(0xe9, SDL_SCANCODE_2);   // an accented e on a key of digits
+  CHECK(!window.playback().paused);
+  CHECK(window.view().tilt_keys == "A D W S");
 }
 
 TEST_CASE_FIXTURE(Fixture, "a slider sets the parameter, and the future is drawn while it moves") {

@@ -120,7 +120,7 @@ void GameView::draw(Canvas& canvas, const Playback& playback, const View& view) 
   if (game) {
     const bool blind = game->settings().player == PlayerKind::blind;
     if (blind) draw_blind_history(canvas, *game, playback, area_);
-    draw_score_board(canvas, *game, area_, view.help, view.muted);
+    draw_score_board(canvas, *game, area_, view);
   }
   if (is_live && playback.paused) {
     draw_label(canvas, {area_.width / 2, 60}, "paused (P)", palette::ink, Align::centre,

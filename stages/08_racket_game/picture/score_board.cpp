@@ -26,19 +26,19 @@ const char* name_of(PlayerKind playback) {
   return "";
 }
 
-void draw_keys(Canvas& canvas, Rect area, bool help) {
-  if (!help) {
-    const std::string line =
-        "mouse or arrows: move    A D W S: tilt    Space or button: swing    "
-        "R: restart    - +: assist    M: sound    F1: all keys    Esc: quit";
+void draw_keys(Canvas& canvas, Rect area, const View& view) {
+  if (!view.help) {
+    const std::string line = "mouse or arrows: move    " + view.tilt_keys +
+                             ": tilt    Space or button: swing    R: restart    - +: assist    M: "
+                             "sound    F1: all keys    Esc: quit";
     if (canvas.text_width(line, TextSize::normal) > area.width - 24) return;  // on a phone
     draw_label(canvas, {area.x + 24, area.bottom() - 34}, line, palette::ink, Align::left,
                TextSize::normal);
     return;
   }
-  static constexpr std::array<std::array<const char*, 2>, 10> keys{
+  const std::array<std::array<std::string, 2>, 10> keys{
       {{"mouse, arrows", "move the racket"},
-       {"A D W S", "tilt it: left, right, away, towards you"},
+       {view.tilt_keys, "tilt it: left, right, away, towards you"},
        {"Space, button", "swing upwards; after a loss: play again"},
        {"- and +", "less and more help with the aim"},
        {"P", "pause;  . and ,  one step forward and back"},
@@ -60,7 +60,7 @@ void draw_keys(Canvas& canvas, Rect area, bool help) {
 
 }  // namespace
 
-void draw_score_board(Canvas& canvas, const GameRun& run, Rect area, bool help, bool muted) {
+void draw_score_board(Canvas& canvas, const GameRun& run, Rect area, const View& view) {
   const Score& score = run.round().score;
   const float right = area.right() - 32;
   canvas.text({right, area.y + 46}, std::to_string(score.hits), palette::ink, Align::right,
@@ -77,13 +77,16 @@ void draw_score_board(Canvas& canvas, const GameRun& run, Rect area, bool help, 
   if (run.settings().player == PlayerKind::human) {
     facts += "     assist " + to_rounded_text(run.settings().assist) + " %";
   }
-  if (muted) facts += "     sound off";
-  canvas.text({area.x + 28, area.y + 48}, facts, palette::exact, Align::left,
-              area.width < 1000 ? TextSize::tick : TextSize::normal);
-  draw_keys(canvas, area, help);
-  if (score.lost && !help) {
+  if (view.muted) facts += "     sound off";
+  const TextSize size = area.width < 1000 ? TextSize::tick : TextSize::normal;
+  if (canvas.text_width(facts, size) < area.width / 2) {  // not on a phone
+    canvas.text({area.x + 28, area.y + 48}, facts, palette::exact, Align::left, size);
+  }
+  draw_keys(canvas, area, view);
+  if (score.lost && !view.help) {
     const Point middle{area.x + area.width / 2, area.y + 190};
-    const Rect plate{middle.x - 210, middle.y - 22, 420, 92};
+    const float half = std::min(210.0f, area.width / 2 - 8);
+    const Rect plate{middle.x - half, middle.y - 22, 2 * half, 92};
     draw_rect(canvas, plate, palette::paper.faded(0.92));
     draw_frame(canvas, plate, palette::ink, 1.5f);
     const std::string count = std::to_string(score.hits) + (score.hits == 1 ? " hit" : " hits");
