@@ -103,9 +103,8 @@ EMSCRIPTEN_KEEPALIVE void page_move(double seconds) {
   if (!p.holding) p.playback.frame(seconds);
   if (p.demo.is_over && p.demo.is_over(p.playback)) p.playback.restart();
   if (p.future_frames > 0 && !p.playback.paused) --p.future_frames;
-  p.view.future.clear();
-  if (p.future_frames > 0) p.view.future = p.playback.future(future_length);
   if (p.future_frames == 0) p.view.earlier.clear();
+  p.view.future = p.future_frames > 0 ? p.playback.future(future_length) : p.view.earlier;
 }
 
 /// A part of the picture: 0 the scene, 1 the energy, 2 and 3 the plots, 4 the chart of errors. Each
@@ -236,8 +235,7 @@ EMSCRIPTEN_KEEPALIVE int page_path(double seconds, int count, int with_exact) {
   });
   return static_cast<int>(rows.size());
 }
-/// The run of the page itself, as a test drives it: on to the time t, and where it stands; then all
-/// that its next step depends on.
+/// The page's own run, as a test drives it: on to the time t; then all that its next step needs.
 EMSCRIPTEN_KEEPALIVE int page_values(double t) {
   guard([&] { page->playback.simulation().advance_to(t); });
   rows = page->playback.simulation().values();
