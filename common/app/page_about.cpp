@@ -3,6 +3,7 @@
 
 #include "app/page.hpp"
 #include "app/page_json.hpp"
+#include "run/step_warning.hpp"
 
 namespace bounce {
 

@@ -17,7 +17,7 @@ namespace {
 
 using DampedRun = OneBallRun<Damping, DampingExact>;
 
-constexpr double frame = 1.0 / 60;
+constexpr double a_sixtieth = 1.0 / 60;
 
 Playback playback_with(double dt, Method method = methods::semi_implicit_euler) {
   auto run = std::make_unique<DampedRun>();
@@ -27,21 +27,21 @@ Playback playback_with(double dt, Method method = methods::semi_implicit_euler) 
 }
 
 void play(Playback& playback, double seconds) {
-  for (int i = 0; i < static_cast<int>(std::lround(seconds * 60)); ++i) playback.frame(frame);
+  for (int i = 0; i < static_cast<int>(std::lround(seconds * 60)); ++i) playback.frame(a_sixtieth);
 }
 
 }  // namespace
 
 TEST_CASE("the window's run is the headless run, to the bit, whatever the frames") {
   for (const double dt : {1e-3, 7e-4, 0.013, 0.1}) {
-    for (const double frame_time : {1.0 / 60, 1.0 / 144, 0.037}) {
+    for (const double real_time : {1.0 / 60, 1.0 / 144, 0.037}) {
       Playback playback = playback_with(dt);
-      for (int i = 0; i < 100; ++i) playback.frame(frame_time);
+      for (int i = 0; i < 100; ++i) playback.frame(real_time);
       DampedRun headless;
       headless.use_dt(dt);
       headless.advance_to(playback.simulation().time());
       CAPTURE(dt);
-      CAPTURE(frame_time);
+      CAPTURE(real_time);
       CHECK(playback.simulation().values() == headless.values());
       CHECK(playback.simulation().steps() == headless.steps());
       // The picture never shows what is more than a step from the computed.
@@ -67,15 +67,15 @@ TEST_CASE("where computing is slower than the clock, time runs slower, with the 
     double now = 0;
     Playback playback(std::move(run),
                       [&now] { return now += 0.02; });  // a look takes all the budget
-    for (int i = 0; i < 120; ++i) playback.frame(frame);
+    for (int i = 0; i < 120; ++i) playback.frame(a_sixtieth);
     CAPTURE(dt);
     CHECK(playback.trouble().empty());
     const double steps = static_cast<double>(playback.simulation().steps()) / 120;  // a frame
     CHECK(steps >= 1);
-    CHECK(steps * dt < frame / 2);
+    CHECK(steps * dt < a_sixtieth / 2);
     CHECK(playback.shown_time() == doctest::Approx(playback.simulation().time()).epsilon(1e-3));
     // A mean over half a second, which began at 1 two seconds ago: the rest of that is e^-4.
-    CHECK(std::abs(playback.pace() - steps * dt / frame) < 0.02);
+    CHECK(std::abs(playback.pace() - steps * dt / a_sixtieth) < 0.02);
     DampedRun headless;
     headless.use_dt(dt);
     headless.advance_to(playback.simulation().time());
@@ -84,8 +84,8 @@ TEST_CASE("where computing is slower than the clock, time runs slower, with the 
     // Given more time, it catches nothing up, but keeps up from here on.
     playback.budget = std::numeric_limits<double>::infinity();
     const double before = playback.shown_time();
-    playback.frame(frame);
-    CHECK(playback.shown_time() == doctest::Approx(before + frame).epsilon(1e-12));
+    playback.frame(a_sixtieth);
+    CHECK(playback.shown_time() == doctest::Approx(before + a_sixtieth).epsilon(1e-12));
   }
 }
 
@@ -134,7 +134,7 @@ TEST_CASE("the contact lens slows the clock in contact, and changes nothing in t
   playback.contact_lens = true;
   int frames_in_contact = 0;
   while (playback.shown_time() < 0.6) {
-    playback.frame(frame);
+    playback.frame(a_sixtieth);
     if (playback.current_rate() < 0.5) ++frames_in_contact;
   }
   // A contact of 32 ms is spread over about a second: 60 frames.

@@ -183,9 +183,9 @@ TEST_CASE("a damaged, foreign or missing saved state is refused") {
   const std::string state = std::filesystem::temp_directory_path() / "bounce_damaged_state";
   REQUIRE(run_program("03_damping --headless --duration 1 --save " + state).code == 0);
   const std::string text = test::read_file(state);
-  const auto refused = [&](const std::string& content, const std::string& program) {
+  const auto refused = [&](const std::string& content, const std::string& stage) {
     std::ofstream(state) << content;
-    const Outcome run = run_program(program + " --headless --load " + state);
+    const Outcome run = run_program(stage + " --headless --load " + state);
     CAPTURE(run.err);
     CHECK(run.code == 2);
     CHECK(contains(run.err, "--load"));

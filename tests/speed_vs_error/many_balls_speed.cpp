@@ -315,7 +315,7 @@ void print_lammps(const Results& results) {
       "| balls | here, 1 thread | here, 2 threads | LAMMPS, 1 process |\n|---|---|---|---|\n");
   for (const long balls : {10000L, 100000L}) {
     std::printf("| %ld |", balls);
-    for (const std::size_t method : {3, 4, 5}) {
+    for (const std::size_t method : {3u, 4u, 5u}) {
       std::printf(" %s |", nanoseconds(results.ns(methods[method], balls)).c_str());
     }
     std::printf("\n");

@@ -225,7 +225,7 @@ TEST_CASE("stage 8: a fast racket touches exactly once") {
 }
 
 TEST_CASE("stage 8: a racket that tilts fast does not pass through the ball") {
-  const auto rk4_step = [] {
+  const auto one_rk4_step = [] {
     return [](const auto& s, double t, Ball& x, double h) { rk4(s, t, x, h); };
   };
   // The edge at 0.25 m comes up with 25 m/s and is through the ball within one step of 10 ms.
@@ -234,7 +234,7 @@ TEST_CASE("stage 8: a racket that tilts fast does not pass through the ball") {
   scene.stiffness = 1e6;  // a contact of 3 ms
   scene.disc.angular_velocity = {0, 0, 100};
   Ball ball{{0.25, 0.13, 0}, {0, 0, 0}};
-  ContactSteps steps(scene, rk4_step);
+  ContactSteps steps(scene, one_rk4_step);
   steps(0, ball, 0.01);
   CHECK(steps.touches >= 1);
   CHECK(ball.velocity.y() > 20);
