@@ -34,6 +34,7 @@ struct ContactNumbers {
   double omega0;  // rad/s
   double zeta;
   ContactLaw law = ContactLaw::may_pull;
+  bool operator==(const ContactNumbers&) const = default;
 };
 
 /// Distance to the exact solution: of positions [m] and of velocities [m/s].
