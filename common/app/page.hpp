@@ -1,13 +1,12 @@
 #pragma once
-#include <deque>
 #include <memory>
 #include <string>
 
 #include "app/demo.hpp"
-#include "app/error_chart_view.hpp"
 #include "app/keys.hpp"
 #include "app/page_canvas.hpp"
 #include "app/plots.hpp"
+#include "app/pointer.hpp"
 
 namespace bounce {
 
@@ -22,15 +21,10 @@ struct Page {
   PlotView plots[2]{};
   ErrorChart chart{};
   Controls controls{};
-  bool holding = false;
+  HeldBall held{};
   double clock = 0;  // s since the start
   long long knocks = 0;
   int future_frames = 0;
-  struct MouseSample {
-    double t;
-    Point at;
-  };
-  std::deque<MouseSample> mouse{};
 };
 /// What the page's controls are made from: the tables of parameters and dials, the methods. As
 /// JSON.

@@ -9,14 +9,6 @@ double number(const std::string& option, const std::string& text, Range valid) {
   throw BadInput(option + " '" + text + "' is not allowed: it must be " + number_in(valid, ""));
 }
 
-void set(const std::string& setting, bool if_it_chooses_defaults, Simulation& simulation) {
-  const std::vector<Parameter> parameters = simulation.parameters();
-  const std::size_t equals = std::min(setting.find('='), setting.size());
-  const Parameter& parameter = find_parameter(parameters, setting.substr(0, equals));
-  if (parameter.chooses_defaults != if_it_chooses_defaults) return;
-  parameter.set(setting.substr(std::min(equals + 1, setting.size())));
-}
-
 }  // namespace
 
 std::unique_ptr<Simulation> set_up(int argc, const char* const* argv, const Demo& demo) {
@@ -34,11 +26,11 @@ std::unique_ptr<Simulation> set_up(int argc, const char* const* argv, const Demo
     }
     if (!is_known) throw BadInput("a page has no option " + option);
   }
-  for (const bool chooses_defaults : {true, false}) {  // wherever they stand among the words
-    for (const auto& [option, value] : words) {
-      if (option == "--set") set(value, chooses_defaults, *simulation);
-    }
+  std::vector<std::string> settings;
+  for (const auto& [option, value] : words) {
+    if (option == "--set") settings.push_back(value);
   }
+  set_parameters(settings, *simulation);
   for (const auto& [option, value] : words) {
     if (option == "--method") simulation->use_method(find_method(value, simulation->methods()));
     if (option == "--dt") simulation->use_dt(number(option, value, Simulation::valid_dt));

@@ -68,10 +68,11 @@ Window::~Window() {
 bool Window::tick(double real_seconds) {
   clock_ += real_seconds;
   for (SDL_Event event; SDL_PollEvent(&event) != 0;) handle(event);
-  drag();
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  held_.follow(demo_, playback_, view_, clock_, {at.x, at.y});
   if (is_game(demo_) && seen_) play_game(real_seconds);
   const Uint64 begin = SDL_GetPerformanceCounter();
-  if (!holding_) playback_.frame(real_seconds);
+  if (!held_.is_held()) playback_.frame(real_seconds);
   const Uint64 moved = SDL_GetPerformanceCounter();
   if (sound_) sound();
   if (seen_ && demo_.is_over && demo_.is_over(playback_)) playback_.restart();

@@ -1,16 +1,15 @@
 #pragma once
 #include <SDL.h>
 
-#include <deque>
 #include <memory>
 
 #include "app/demo.hpp"
-#include "app/error_chart_view.hpp"
 #include "app/imgui_canvas.hpp"
 #include "app/keys.hpp"
 #include "app/panel.hpp"
 #include "app/picture_files.hpp"
 #include "app/plots.hpp"
+#include "app/pointer.hpp"
 #include "app/sound.hpp"
 
 namespace bounce {
@@ -47,13 +46,11 @@ class Window {
   void handle(const SDL_Event& event);
   void key(SDL_Keysym key);
   void read_keyboard_layout();
-  void drag();
   void play_game(double real_seconds);
   void sound();
   void draw();
   void draw_chart();
   void draw_help();
-  bool choose_from_chart(Point at);
   void read_pixels();
 
   const Demo& demo_;
@@ -69,15 +66,10 @@ class Window {
   PlotView plots_[2];
   ErrorChart chart_;
 
-  struct MouseSample {
-    double t;
-    Point at;
-  };
-  std::deque<MouseSample> mouse_;  // while the ball is held, the last 80 ms
   Controls controls_;
   std::unique_ptr<Sound> sound_;  // empty where nobody listens
   long long knocks_ = 0;
-  bool holding_ = false;
+  HeldBall held_;
   double clock_ = 0;  // real seconds since the start
   bool closed_ = false;
   std::string screenshot_;  // wanted after this frame

@@ -1,5 +1,4 @@
 // What the user does to the window: keys, mouse, and clicks on the chart.
-#include "app/layout.hpp"
 #include "app/window.hpp"
 
 namespace bounce {
@@ -12,26 +11,11 @@ void Window::handle(const SDL_Event& event) {
   if (event.type == SDL_MOUSEMOTION) controls_.mouse_moved = true;
   if (event.type == SDL_MOUSEBUTTONDOWN && event.button.button == SDL_BUTTON_LEFT) {
     const Point at{static_cast<float>(event.button.x), static_cast<float>(event.button.y)};
-    holding_ = !choose_from_chart(at) && demo_.is_on_ball && demo_.is_on_ball(playback_, view_, at);
-    mouse_.clear();
+    if (!choose_from_chart(demo_, view_, chart_, playback_, at)) {
+      held_.take(demo_, playback_, view_, at);
+    }
   }
-  if (event.type == SDL_MOUSEBUTTONUP) holding_ = false;
-}
-
-/// A click on a dot of the chart takes its method and its time step. Returns whether the click was
-/// the chart's.
-bool Window::choose_from_chart(Point at) {
-  const Rect area = layout::chart;
-  const bool inside =
-      at.x >= area.x && at.x <= area.right() && at.y >= area.y && at.y <= area.bottom();
-  if (!view_.chart || demo_.bare || !inside) return false;
-  if (const std::optional<ChartChoice> choice = error_chart_choice(area, chart_, at)) {
-    playback_.change([&choice](Simulation& simulation) {
-      simulation.use_method(choice->method);
-      if (choice->dt > 0) simulation.use_dt(choice->dt);
-    });
-  }
-  return true;
+  if (event.type == SDL_MOUSEBUTTONUP) held_.let_go();
 }
 
 /// The keys that tilt the racket are places, so that they lie alike on every keyboard. What is
@@ -82,20 +66,6 @@ void Window::key(SDL_Keysym pressed) {
       break;
     }
   }
-}
-
-/// The held ball follows the mouse, and leaves with the mouse's mean velocity over the last 80 ms
-/// (a single movement of a mouse is too jumpy).
-void Window::drag() {
-  if (!holding_) return;
-  const ImVec2 at = ImGui::GetIO().MousePos;
-  mouse_.push_back({clock_, {at.x, at.y}});
-  while (mouse_.size() > 2 && mouse_.front().t < clock_ - 0.08) mouse_.pop_front();
-  const MouseSample &first = mouse_.front(), &last = mouse_.back();
-  const auto span = static_cast<float>(last.t - first.t);
-  Point velocity{0, 0};
-  if (span > 0) velocity = {(last.at.x - first.at.x) / span, (last.at.y - first.at.y) / span};
-  demo_.drag(playback_, view_, last.at, velocity);
 }
 
 /// What the keys and the mouse are doing now goes to the game.

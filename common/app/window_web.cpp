@@ -39,27 +39,6 @@ const char* guard(const Work& work) {
   return answer.c_str();
 }
 
-/// The held ball follows the pointer, and leaves with its mean velocity over the last 80 ms.
-void drag(Page& p) {
-  if (!p.holding || p.mouse.empty()) return;
-  while (p.mouse.size() > 2 && p.mouse.front().t < p.clock - 0.08) p.mouse.pop_front();
-  const auto &first = p.mouse.front(), &last = p.mouse.back();
-  const auto span = static_cast<float>(last.t - first.t);
-  Point velocity{0, 0};
-  if (span > 0) velocity = {(last.at.x - first.at.x) / span, (last.at.y - first.at.y) / span};
-  p.demo.drag(p.playback, p.view, last.at, velocity);
-}
-
-bool choose_from_chart(Page& p, Point at) {
-  const auto choice = error_chart_choice(layout::chart, p.chart, at);
-  if (!p.view.chart || p.demo.bare || !choice) return false;
-  p.playback.change([&choice](Simulation& simulation) {
-    simulation.use_method(choice->method);
-    if (choice->dt > 0) simulation.use_dt(choice->dt);
-  });
-  return true;
-}
-
 }  // namespace
 
 int kept_number(const std::string& name) { return page_kept(name.c_str()); }
@@ -94,13 +73,13 @@ EMSCRIPTEN_KEEPALIVE const char* page_state() { return (answer = state_of_page(*
 EMSCRIPTEN_KEEPALIVE void page_move(double seconds) {
   Page& p = *page;
   p.clock += seconds;
-  drag(p);
+  p.held.follow(p.demo, p.playback, p.view, p.clock, p.controls.mouse);
   if (is_game(p.demo)) {
     p.controls.seconds = seconds;
     p.demo.control(p.playback, p.view, p.controls);
     p.controls.mouse_moved = p.controls.less = p.controls.more = false;
   }
-  if (!p.holding) p.playback.frame(seconds);
+  if (!p.held.is_held()) p.playback.frame(seconds);
   if (p.demo.is_over && p.demo.is_over(p.playback)) p.playback.restart();
   if (p.future_frames > 0 && !p.playback.paused) --p.future_frames;
   if (p.future_frames == 0) p.view.earlier.clear();
@@ -186,13 +165,15 @@ EMSCRIPTEN_KEEPALIVE int page_pointer(int kind, float x, float y) {
   p.controls.mouse_moved = true;
   if (kind == 1) {
     p.controls.button = true;
-    p.holding =
-        !choose_from_chart(p, at) && p.demo.is_on_ball && p.demo.is_on_ball(p.playback, p.view, at);
-    p.mouse.clear();
+    if (!choose_from_chart(p.demo, p.view, p.chart, p.playback, at)) {
+      p.held.take(p.demo, p.playback, p.view, at);
+    }
   }
-  if (kind == 2) p.controls.button = p.holding = false;
-  if (p.holding) p.mouse.push_back({p.clock, at});
-  return p.holding || is_game(p.demo) ? 1 : 0;
+  if (kind == 2) {
+    p.controls.button = false;
+    p.held.let_go();
+  }
+  return p.held.is_held() || is_game(p.demo) ? 1 : 0;
 }
 /// The keys that are down, for a game.
 EMSCRIPTEN_KEEPALIVE void page_hold(int keys_down) {

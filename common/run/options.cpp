@@ -22,25 +22,6 @@ double number(const std::string& option, const std::string& text, Range valid, c
   throw BadInput(option + " '" + text + "' is not allowed: it must be " + number_in(valid, unit));
 }
 
-void set_parameters(const std::vector<std::string>& settings, Simulation& simulation) {
-  const std::vector<Parameter> parameters = simulation.parameters();
-  // First those that choose the others' defaults, wherever they stand on the command line.
-  for (const bool chooses_defaults : {true, false}) {
-    for (const std::string& setting : settings) {
-      const std::size_t equals = setting.find('=');
-      if (equals == std::string::npos) {
-        throw BadInput("--set '" + setting +
-                       "' is not allowed: it must be NAME=VALUE, such as --set " +
-                       parameters[0].name + "=" + parameters[0].text());
-      }
-      const Parameter& parameter = find_parameter(parameters, trimmed(setting.substr(0, equals)));
-      if (parameter.chooses_defaults == chooses_defaults) {
-        parameter.set(trimmed(setting.substr(equals + 1)));
-      }
-    }
-  }
-}
-
 void apply_stage_options(const std::vector<StageOption>& of_stage, const Words& words,
                          const Options& options, std::unique_ptr<Simulation>& simulation) {
   for (const StageOption& option : of_stage) {
@@ -126,6 +107,25 @@ void check_size(const Options& options, const Simulation& simulation) {
 }
 
 }  // namespace
+
+void set_parameters(const std::vector<std::string>& settings, Simulation& simulation) {
+  const std::vector<Parameter> parameters = simulation.parameters();
+  // First those that choose the others' defaults, wherever they stand on the command line.
+  for (const bool chooses_defaults : {true, false}) {
+    for (const std::string& setting : settings) {
+      const std::size_t equals = setting.find('=');
+      if (equals == std::string::npos) {
+        throw BadInput("--set '" + setting +
+                       "' is not allowed: it must be NAME=VALUE, such as --set " +
+                       parameters[0].name + "=" + parameters[0].text());
+      }
+      const Parameter& parameter = find_parameter(parameters, trimmed(setting.substr(0, equals)));
+      if (parameter.chooses_defaults == chooses_defaults) {
+        parameter.set(trimmed(setting.substr(equals + 1)));
+      }
+    }
+  }
+}
 
 void apply_saved_options(const std::string& path, const std::vector<StageOption>& of_stage,
                          std::unique_ptr<Simulation>& simulation) {

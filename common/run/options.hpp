@@ -66,6 +66,10 @@ bool parse_command_line(int argc, const char* const* argv, const StageName& stag
                         std::unique_ptr<Simulation>& simulation, Options& options,
                         const std::vector<StageOption>& of_stage = {});
 
+/// What follows each --set: "mass=2". First those that choose the others' defaults, wherever they
+/// stand. Throws BadInput.
+void set_parameters(const std::vector<std::string>& settings, Simulation& simulation);
+
 /// A saved run is of the kind that it was: applies what it has of the stage's own options. Throws
 /// BadInput.
 void apply_saved_options(const std::string& path, const std::vector<StageOption>& of_stage,

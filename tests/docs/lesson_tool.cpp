@@ -10,12 +10,6 @@
 
 namespace bounce::test {
 
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
-}
-
 namespace {
 
 namespace fs = std::filesystem;

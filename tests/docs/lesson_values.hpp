@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "docs/lesson_tool.hpp"
+#include "physics/text.hpp"
 
 namespace bounce::test {
 
@@ -12,7 +13,6 @@ struct Mistake : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-std::string trimmed(const std::string& text);
 std::vector<std::string> output_of(const std::string& command, const Runner& run);
 
 /// The same paragraph, with its `<!-- value: ... -->` lines on top, as the programs have it now.
