@@ -38,6 +38,9 @@ template <class V>
 inline constexpr Slot width = 1;
 
 inline double square_root(double a) { return std::sqrt(a); }
+inline double magnitude(double a) { return std::fabs(a); }
+inline double smaller(double a, double b) { return a < b ? a : b; }
+inline double quotient(double a, double b, double /*one_over_b*/) { return a / b; }
 inline double select(bool condition, double a, double b) { return condition ? a : b; }
 inline bool any(bool condition) { return condition; }
 inline double largest(double a) { return a; }
@@ -66,7 +69,39 @@ using LanesMask = Lanes::mask_type;
 template <>
 inline constexpr Slot width<Lanes> = static_cast<Slot>(Lanes::size());
 
+/// a b + c, rounded once.
+#if defined(__AVX512F__)
+inline Lanes fused(const Lanes& a, const Lanes& b, const Lanes& c) {
+  return Lanes(
+      _mm512_fmadd_pd(static_cast<__m512d>(a), static_cast<__m512d>(b), static_cast<__m512d>(c)));
+}
+#elif defined(__FMA__)
+inline Lanes fused(const Lanes& a, const Lanes& b, const Lanes& c) {
+  return Lanes(
+      _mm256_fmadd_pd(static_cast<__m256d>(a), static_cast<__m256d>(b), static_cast<__m256d>(c)));
+}
+#endif
 inline Lanes square_root(const Lanes& a) { return std::experimental::sqrt(a); }
+inline Lanes magnitude(const Lanes& a) { return std::experimental::abs(a); }
+inline Lanes smaller(const Lanes& a, const Lanes& b) { return std::experimental::min(a, b); }
+
+/// a / b to the last bit, where 1 / b is there already: the quotient's remainder, known exactly,
+/// mends its last bit. Three quick instructions for a slow one. a must be 0 or larger than 1e-100,
+/// so that no remainder underflows, and the same for b. (Brisebarre, Muller and Raina,
+/// "Accelerating correctly rounded floating-point division when the divisor is known in advance",
+/// 2004.)
+// [quotient]
+inline Lanes quotient(const Lanes& a, const Lanes& b, [[maybe_unused]] const Lanes& one_over_b) {
+#if defined(__FMA__)
+  const Lanes q = a * one_over_b;
+  const Lanes remainder = fused(-q, b, a);
+  return fused(remainder, one_over_b, q);
+#else
+  return a / b;
+#endif
+}
+// [quotient]
+
 inline Lanes select(const LanesMask& condition, const Lanes& a, Lanes b) {
   std::experimental::where(condition, b) = a;
   return b;

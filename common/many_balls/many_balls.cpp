@@ -50,14 +50,23 @@ void ManyBalls::move(const Laws& laws, const Eigen::VectorXd& mass, const Eigen:
 
 void ManyBalls::pass(const Pass& what, Team& team) {
   // Speeds change within a step, too; 1e-6 is for the rounding of the sum.
-  if (!(moved_ <= skin_ / 2 * (1 - 1e-6)) || list_threads_ != team.size()) {
-    const double distance = 2 * skin_steps_ * fastest_ * dt_;
-    skin_ = std::clamp(distance, 0.02 * largest_radius_, 0.5 * largest_radius_);
+  const auto holds = [](double moved, double skin) { return moved <= skin / 2 * (1 - 1e-6); };
+  const auto skin_for = [&](double steps) {
+    return std::clamp(2 * steps * fastest_ * dt_, 0.02 * largest_radius_, 0.5 * largest_radius_);
+  };
+  if (!holds(moved_, skin_) || list_threads_ != team.size()) {
+    skin_ = skin_for(skin_steps_);
     list_threads_ = 0;  // no list, should it throw
     list_.build(now_, next_, number_, skin_, team);
     list_threads_ = team.size();
     moved_ = 0;
+    thin_skin_ = -1;
     ++lists_built_;
+  }
+  if (!holds(moved_ - moved_before_, thin_skin_)) {
+    thin_skin_ = std::min(skin_, skin_for(thin_skin_steps_));
+    list_.shorten(now_, thin_skin_, team);
+    moved_before_ = moved_;
   }
   speeds_.resize(static_cast<std::size_t>(list_.shares()));
   team.share_out(list_.shares(), [&](int share) {

@@ -53,15 +53,18 @@ class ManyBalls {
   void pass(const Pass& what, Team& team);
 
   PassFunction pass_ = fastest_pass();
-  double skin_steps_ = 40;
+  double skin_steps_ = 120;
+  double thin_skin_steps_ = 12;
   NeighbourList list_;
   std::vector<BallRecord> now_, next_;  // one for each slot, and nobody at the end
   std::vector<int> number_;             // of each slot
   double touch_ = 0;                    // m, the sum of two radii where all are equal; else 0
   double largest_radius_ = 0;           // m
-  double skin_ = -1;                    // m, of the list; negative: there is none
+  double skin_ = -1;                    // m, of the long lists; negative: there are none
+  double thin_skin_ = -1;               // m, of the short lists
   int list_threads_ = 0;                // for which it was made
   double moved_ = 0;                    // m: no ball has moved further since then
+  double moved_before_ = 0;             // m, of that: before the lists were shortened
   double fastest_ = 0;                  // m/s
   double dt_ = 0;                       // s
   std::vector<double> speeds_;          // of each share's fastest ball, squared

@@ -10,7 +10,7 @@ namespace bounce::many {
 namespace {
 
 /// Balls of so many neighbouring slots are put in order by the length of their lists.
-constexpr std::size_t window = 64;
+constexpr std::size_t window = 512;
 
 /// So many may be listed however few the balls are: 160 MB. Balls that do not overlap have some 20
 /// each, and the 1e5 of a crowd in one place would have 1e10, and 40 GB.
@@ -65,13 +65,14 @@ std::size_t NeighbourList::bytes() const {
   const auto of = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
   std::size_t sum =
       of(begin_) + of(places_) + of(length_) + of(new_length_) + of(new_number_) + of(row_);
-  for (const Share& share : shares_) sum += of(share.neighbours) + of(share.found);
+  for (const Share& share : shares_)
+    sum += of(share.long_lists) + of(share.lengths) + of(share.rows);
   return sum;
 }
 
 /// Eight balls go through their lists side by side, and the longest list counts. So among a few
-/// dozen neighbours those with equally long lists are put together; how long they are is known from
-/// the last time.
+/// hundred neighbours those with equally long lists are put together; how long they are is known
+/// from the last time.
 void NeighbourList::order_alike(const std::vector<BallRecord>& records,
                                 std::vector<BallRecord>& sorted, std::size_t first,
                                 std::size_t last) {
@@ -95,34 +96,57 @@ void NeighbourList::order_alike(const std::vector<BallRecord>& records,
 
 void NeighbourList::find_neighbours(const std::vector<BallRecord>& records, Share& share,
                                     std::atomic<std::size_t>& listed, std::size_t most) {
+  share.lengths.clear();
+  std::size_t found = 0;
+  for (Slot slot = share.first; slot < share.last; ++slot) {
+    const std::size_t begin = found;
+    found = find_neighbours_of(records, slot, share, begin);
+    share.lengths.push_back(static_cast<std::uint32_t>(found - begin));
+    if (listed.fetch_add(found - begin, std::memory_order_relaxed) > most) return;  // build throws
+  }
+}
+
+void NeighbourList::shorten(const std::vector<BallRecord>& records, double skin, Team& team) {
+  team.share_out(shares(), [&](int share) {
+    shorten(records, skin, shares_[static_cast<std::size_t>(share)]);
+  });
+}
+
+void NeighbourList::shorten(const std::vector<BallRecord>& records, double skin, Share& share) {
   const auto number = static_cast<std::size_t>(&share - shares_.data());
   const auto nobody_slot = static_cast<Slot>(places_.size());
-  share.neighbours.clear();
+  const double reach = 2 * largest_radius_ + skin;
+  const Slot* next = share.long_lists.data();
+  std::size_t rows = 0;
   for (Slot first = share.first; first < share.last; first += group) {
-    row_[first / group + number] = static_cast<Slot>(share.neighbours.size() / group);
-    std::array<std::size_t, group + 1> begin{};  // of each ball's list in share.found
-    std::size_t longest = 0;
-    for (Slot lane = 0; lane < group; ++lane) {
-      begin[lane + 1] = begin[lane];
-      if (first + lane >= share.last) continue;
-      begin[lane + 1] = find_neighbours_of(records, first + lane, share, begin[lane]);
-      const std::size_t length = begin[lane + 1] - begin[lane];
-      length_[first + lane] = static_cast<std::uint8_t>(std::min<std::size_t>(length, 255));
-      longest = std::max(longest, length);
-    }
-    if (listed.fetch_add(longest * group, std::memory_order_relaxed) > most)
-      return;  // build throws
-    for (std::size_t row = 0; row < longest; ++row) {
-      for (Slot lane = 0; lane < group; ++lane) {
-        const std::size_t at = begin[lane] + row;
-        const bool is_there = at < begin[lane + 1];
-        share.neighbours.push_back(is_there ? static_cast<Slot>(share.found[at]) : nobody_slot);
+    row_[first / group + number] = static_cast<Slot>(rows);
+    const Slot balls = std::min(group, share.last - first);
+    const std::uint32_t* lengths = &share.lengths[first - share.first];
+    const std::size_t most = rows + 1 + *std::max_element(lengths, lengths + balls);
+    if (share.rows.size() < most * group) share.rows.resize(2 * most * group);
+    std::array<std::size_t, group> end;  // of each ball's list
+    end.fill(rows);
+    for (Slot lane = 0; lane < balls; ++lane) {
+      const BallRecord& ball = records[first + lane];
+      for (const Slot* const last = next + lengths[lane]; next != last; ++next) {
+        const BallRecord& other = records[*next];
+        const double x = other.x - ball.x, y = other.y - ball.y, z = other.z - ball.z;
+        const double limit = equal_radii_ ? reach : ball.radius + other.radius + skin;
+        // Written down in any case, and kept if it is near, as above.
+        share.rows[end[lane] * group + lane] = *next;
+        end[lane] += x * x + y * y + z * z <= limit * limit ? 1 : 0;
       }
+      length_[first + lane] =
+          static_cast<std::uint8_t>(std::min<std::size_t>(end[lane] - rows, 255));
+    }
+    rows = *std::max_element(end.begin(), end.end());
+    for (Slot lane = 0; lane < group; ++lane) {
+      for (; end[lane] < rows; ++end[lane]) share.rows[end[lane] * group + lane] = nobody_slot;
     }
   }
-  row_[(share.last + group - 1) / group + number] =
-      static_cast<Slot>(share.neighbours.size() / group);
-  share.neighbours.insert(share.neighbours.end(), rows_ahead * group, nobody_slot);
+  row_[(share.last + group - 1) / group + number] = static_cast<Slot>(rows);
+  share.rows.resize(rows * group);
+  share.rows.insert(share.rows.end(), rows_ahead * group, nobody_slot);
 }
 
 /// The slots in the order of the numbers. For so few it is quicker to count for each how many come
@@ -149,11 +173,13 @@ void NeighbourList::sort_by_number(Neighbour* near, std::size_t count, Slot* sor
   }
 }
 
-/// Appends to share.found from `found` on; returns where the list ends.
+/// Appends to the long lists from `found` on; returns where this one ends.
 std::size_t NeighbourList::find_neighbours_of(const std::vector<BallRecord>& records, Slot slot,
                                               Share& share, std::size_t found) {
   const std::size_t candidates = find_candidates(records[slot], share);
-  if (share.found.size() < found + candidates) share.found.resize(2 * (found + candidates));
+  if (share.long_lists.size() < found + candidates) {
+    share.long_lists.resize(2 * (found + candidates));
+  }
   if (share.near.size() < candidates + padding) share.near.resize(2 * candidates + padding);
 
   const BallRecord& ball = records[slot];
@@ -169,7 +195,7 @@ std::size_t NeighbourList::find_neighbours_of(const std::vector<BallRecord>& rec
     const bool is_near = x * x + y * y + z * z <= limit * limit && other.slot != slot;
     near += is_near ? 1 : 0;
   }
-  sort_by_number(share.near.data(), near, &share.found[found]);
+  sort_by_number(share.near.data(), near, &share.long_lists[found]);
   return found + near;
 }
 

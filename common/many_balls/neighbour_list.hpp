@@ -10,8 +10,12 @@
 
 namespace bounce::many {
 
-/// Balls sorted by place, and for each the others that may soon touch it: all whose surfaces are
-/// nearer than the *skin*. As long as no ball has moved further than half the skin, the list holds.
+/// Balls sorted by place, and for each the others that may soon touch it, in two lists. The long
+/// one has all whose surfaces are nearer than a thick *skin*, and costs a search through cells. The
+/// short one is taken from it in passing, with a thin skin. As long as no ball has moved further
+/// than half a skin, its list holds. (Two lists, as in Pall et al.,
+/// "Heterogeneous parallelization and acceleration of molecular dynamics simulations in GROMACS",
+/// 2020.)
 ///
 /// Each ball lists all its neighbours, so that every pair stands in two lists. This is twice the
 /// work, and worth it: a force is only ever added to the ball that asks for it. So eight balls can
@@ -25,6 +29,9 @@ class NeighbourList {
   void build(std::vector<BallRecord>& records, std::vector<BallRecord>& scratch,
              std::vector<int>& number, double skin, Team& team);
 
+  /// Takes from the long lists those that are within `skin` [m] now.
+  void shorten(const std::vector<BallRecord>& records, double skin, Team& team);
+
   std::size_t bytes() const;  // of memory
 
   /// The balls are divided into shares, a few for each member of the team.
@@ -33,7 +40,7 @@ class NeighbourList {
   std::array<Slot, 2> slots(int share) const { return {of(share).first, of(share).last}; }
   /// For Pass::row and Pass::neighbours, in the slots of that share.
   const Slot* rows(int share) const { return row_.data() + share; }
-  const Slot* neighbours(int share) const { return of(share).neighbours.data(); }
+  const Slot* neighbours(int share) const { return of(share).rows.data(); }
 
  private:
   /// A ball as the search needs it, sorted by cell.
@@ -49,10 +56,11 @@ class NeighbourList {
   /// A part of the balls, with the lists of its own.
   struct Share {
     Slot first = 0, last = 0;
-    std::vector<Slot> neighbours;           // rows of eight
+    std::vector<Slot> long_lists;           // one after the other
+    std::vector<std::uint32_t> lengths;     // of them
+    std::vector<Slot> rows;                 // the short lists, those of eight balls side by side
     std::vector<std::uint32_t> candidates;  // places
     std::vector<Neighbour> near;
-    std::vector<Slot> found;  // the lists of the eight balls in work
   };
   using Cell = std::array<std::int64_t, 3>;
 
@@ -70,6 +78,7 @@ class NeighbourList {
                    std::size_t first, std::size_t last);
   void find_neighbours(const std::vector<BallRecord>& records, Share& share,
                        std::atomic<std::size_t>& listed, std::size_t most);
+  void shorten(const std::vector<BallRecord>& records, double skin, Share& share);
   static void sort_by_number(Neighbour* near, std::size_t count, Slot* sorted);
   std::size_t find_candidates(const BallRecord& ball, Share& share) const;
   std::size_t find_neighbours_of(const std::vector<BallRecord>& records, Slot slot, Share& share,
@@ -81,7 +90,7 @@ class NeighbourList {
   Cell dimensions_{};                 // of the torus of cells
   std::vector<std::uint32_t> begin_;  // of each cell, in places_
   std::vector<Place> places_;
-  std::vector<std::uint8_t> length_;  // of each slot's list (a very long one counts as 255)
+  std::vector<std::uint8_t> length_;  // of each short list (a very long one counts as 255)
   std::vector<std::uint8_t> new_length_;
   std::vector<int> new_number_;
   // Where each group's rows begin among its share's neighbours; each share has one entry more, the

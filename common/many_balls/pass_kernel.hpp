@@ -75,7 +75,8 @@ class Forces {
         p_(p),
         v_(v),
         r_(r),
-        sum_(outer_force<V>(pass.laws, p, v, mass, r)) {}
+        sum_(outer_force<V>(pass.laws, p, v, mass, r)),
+        has_tiny_(any(smaller(smaller(magnitude(p.x), magnitude(p.y)), magnitude(p.z)) < 1e-250)) {}
 
   // The square roots of one row are begun before the divisions of the row before it: otherwise the
   // processor would wait for each in turn.
@@ -127,7 +128,7 @@ class Forces {
     Distance<V> to = seen.distance;
     if (any(to.d <= 1e-100)) [[unlikely]]
       to = separated<V>(pass_, first_, seen.slots, to);
-    const Triple<V> e12{to.between.x / to.d, to.between.y / to.d, to.between.z / to.d};
+    const Triple<V> e12 = direction(to);
     V vy, vz;
     load_pair(records_ + 4, seen.slots, vy, vz);
     const V separation_speed =
@@ -138,6 +139,15 @@ class Forces {
     sum_.z += force * e12.z;
   }
   // [add]
+
+  // Three divisions by the same number: one will do, where `quotient` may be used.
+  Triple<V> direction(const Distance<V>& to) const {
+    const auto& [x, y, z] = to.between;
+    if (has_tiny_) [[unlikely]]
+      return {x / to.d, y / to.d, z / to.d};
+    const V per_d = 1 / to.d;
+    return {quotient(x, to.d, per_d), quotient(y, to.d, per_d), quotient(z, to.d, per_d)};
+  }
 
   /// At which distance they touch. Equal radii save the loading of the neighbours' own.
   V touch(const Slot* slots) const {
@@ -153,6 +163,9 @@ class Forces {
   Triple<V> p_, v_;
   V r_;
   Triple<V> sum_;
+  // A difference of two coordinates is 0, or at least the rounding of either: never below 1e-270 m
+  // where ours are above 1e-250 m.
+  bool has_tiny_;
 };
 
 /// One pass for as many balls as V is wide. Returns the squares of their speeds.

@@ -14,7 +14,7 @@ double pass_vector(const Pass& pass, Slot first, Slot last) {
 PassFunction fastest_pass() {
 #if BOUNCE_WIDER_PASSES
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) return pass_avx512;
-  if (__builtin_cpu_supports("avx2")) return pass_avx2;
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return pass_avx2;
 #endif
   return pass_vector;
 }
