@@ -1,4 +1,5 @@
 #pragma once
+#include <concepts>
 #include <memory>
 #include <optional>
 #include <span>
@@ -15,21 +16,33 @@
 
 namespace bounce {
 
-/// A run, made of parts: a world, a method that moves it, the clock (of Simulation), a truth to
-/// compare with, an energy book. A `World` is a scene and what belongs to it; one ball
-/// (one_ball.hpp), many balls and the racket (stages 5 and 8) have one each:
-///   Vector, Methods, TruthWalk            what a position is; its methods; what it is compared
-///   with parameters(), traits(simulation) start(seed)                           the state at t = 0
-///   place(t, state)                       a state that was put there, or parameters that changed
-///   truth(t, state)                       a Truth from here on
+/// A scene and what belongs to it, to be run. One ball (one_ball_run.hpp), many balls and the
+/// racket (stages 5 and 8) have one each. Besides:
 ///   take_steps(method, state, count, t, dt, book)
 ///   go_towards(method, t, most_events, state)      returns how far it came [s]
-///   more_evaluations(simulation)          besides those that the method counts; optional
-///   energy(t, state)
-///   energy_before(book, by_events, t, state)       and what a moving floor gave since then [J]
-///   row(t, state)                         of the trace
 ///   remembered(self, visit, state)        as in remembered.hpp: the state, and what else it has
-template <class World>
+///   more_evaluations(simulation)          besides those that the method counts; optional
+template <class World, class Balls = State<typename World::Vector>>
+concept WorldToRun = std::default_initializable<World> && std::copyable<World> &&
+    requires(World& own, const World& world, const Simulation& run, double t, Balls& state,
+             const EnergyBook& book) {
+  typename World::Methods;    // a MethodList
+  typename World::TruthWalk;  // what it is compared with
+  { own.parameters() } -> std::same_as<std::vector<Parameter>>;
+  { world.traits(run) } -> std::same_as<Traits>;
+  { own.start(run.seed()) } -> std::same_as<Balls>;  // the state at t = 0
+  own.place(t, state);  // a state that was put there, or parameters that changed
+  requires std::same_as<decltype(own.truth(t, state)),
+                        Truth<typename World::TruthWalk, typename World::Vector>>;
+  { world.energy(t, state) } -> std::same_as<Energy>;
+  // ... and before, with what a moving floor gave since then [J]
+  { world.energy_before(book, true, t, state) } -> std::same_as<double>;
+  { world.row(t, state) } -> std::same_as<std::vector<double>>;  // of the trace
+};
+
+/// A run, made of parts: a world, a method that moves it, the clock (of Simulation), a truth to
+/// compare with, an energy book.
+template <WorldToRun World>
 class RunOf final : public Simulation {
  public:
   using Vector = typename World::Vector;
