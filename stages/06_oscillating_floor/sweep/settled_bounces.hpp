@@ -10,9 +10,11 @@
 
 namespace bounce {
 
-/// One bounce: where in its swing the floor was hit, and how high the ball rose after it.
+/// One bounce: where in its swing the floor was hit, how fast the two came together, and how high
+/// the ball rose after it.
 struct Bounce {
   double phase;   // rad, 0 to 2 pi
+  double speed;   // m/s
   double height;  // m
 };
 
@@ -25,7 +27,7 @@ class ExactBounces {
   /// From a touch of a floor that swings and does no more.
   ExactBounces(const OscillatingFloor& scene, const Touch<double>& touch)
       : scene_(scene), walker_(OscillatingFloorExact(scene), time_of(touch), state_at(touch)) {
-    impact_ = touch.angle;
+    impact_ = touch;
   }
 
   /// The next one; nothing when the ball comes to stay on the floor, or flies away.
@@ -35,7 +37,7 @@ class ExactBounces {
       walker_.pass_event();
       const Phase now = walker_.phase();
       if (before == Phase::flight && now != Phase::flight) {
-        impact_ = scene_.angular_frequency * walker_.last_event() + scene_.phase;
+        impact_ = touch_of(walker_.last_event(), walker_.state_at_last_event());
       }
       if (before == Phase::flight || now != Phase::flight || !impact_) continue;
       if (walker_.next_event() == never) return std::nullopt;
@@ -43,7 +45,8 @@ class ExactBounces {
       const State<double>& start = walker_.state_at_last_event();
       const double length = walker_.next_event() - walker_.last_event();
       const double to_top = std::clamp(start.velocity / scene_.gravity, 0.0, length);
-      return Bounce{within_one_turn(*impact_), fly(start, scene_.gravity, to_top).position};
+      return Bounce{impact_->angle, -impact_->velocity,
+                    fly(start, scene_.gravity, to_top).position};
     }
     return std::nullopt;
   }
@@ -53,11 +56,14 @@ class ExactBounces {
     const double t = walker_.next_event();
     const State<double> ball =
         fly(walker_.state_at_last_event(), scene_.gravity, t - walker_.last_event());
-    return {within_one_turn(scene_.angular_frequency * t + scene_.phase),
-            ball.velocity - scene_.floor_speed(t)};
+    return touch_of(t, ball);
   }
 
  private:
+  Touch<double> touch_of(double t, const State<double>& ball) const {
+    return {within_one_turn(scene_.angular_frequency * t + scene_.phase),
+            ball.velocity - scene_.floor_speed(t)};
+  }
   double time_of(const Touch<double>& touch) const {
     return (touch.angle - scene_.phase) / scene_.angular_frequency;
   }
@@ -68,7 +74,7 @@ class ExactBounces {
 
   OscillatingFloor scene_;
   EventDriven<OscillatingFloorExact> walker_;
-  std::optional<double> impact_;  // the floor's angle at the last one
+  std::optional<Touch<double>> impact_;  // the last one
 };
 
 /// The bounces of a ball after it has had time to settle: `discarded` go unseen, then `kept` are
@@ -76,8 +82,8 @@ class ExactBounces {
 /// Quick bounces where they are sure, and exact ones where they are not.
 inline std::vector<Bounce> settled_bounces(const OscillatingFloor& scene, int discarded, int kept) {
   std::vector<Bounce> bounces;
-  const auto note = [&](int n, double angle, double height) {
-    if (n >= discarded) bounces.push_back({angle, height});
+  const auto note = [&](int n, const Bounce& bounce) {
+    if (n >= discarded) bounces.push_back(bounce);
   };
   ExactBounces exact(scene);
   const bool is_quick = has_quick_contact(scene);
@@ -88,7 +94,7 @@ inline std::vector<Bounce> settled_bounces(const OscillatingFloor& scene, int di
     if (touch) {
       const NextTouch<double> next = next_touch(quick, *touch);
       if (next.is_sure) {
-        note(n, within_one_turn(touch->angle), next.highest);
+        note(n, {within_one_turn(touch->angle), -touch->velocity, next.highest});
         touch = next.touch;
         continue;
       }
@@ -96,7 +102,7 @@ inline std::vector<Bounce> settled_bounces(const OscillatingFloor& scene, int di
     }
     const std::optional<Bounce> bounce = exact.next();
     if (!bounce) break;
-    note(n, bounce->phase, bounce->height);
+    note(n, *bounce);
     if (is_quick) touch = exact.touch_after();
   }
   return bounces;
