@@ -109,3 +109,27 @@ TEST_CASE("stage 6: bounces settle where the exact ones do") {
     }
   }
 }
+
+TEST_CASE("stage 6: bounces of balls side by side are those of each alone, to the bit") {
+  std::vector<OscillatingFloor> scenes;
+  for (int n = 0; n < 43; ++n) {
+    OscillatingFloor scene;
+    scene.amplitude = 0.002 * n;  // at rest, regular, and chaos
+    scene.damping = n % 10 == 9 ? 190 : 14.17;
+    scene.contact = n < 20 ? ContactLaw::may_pull : ContactLaw::push_only;
+    scenes.push_back(scene);
+  }
+  const std::vector<std::vector<Bounce>> together = settled_bounces(scenes, 100, 50);
+  REQUIRE(together.size() == scenes.size());
+  for (std::size_t n = 0; n < scenes.size(); ++n) {
+    const std::vector<Bounce> alone = settled_bounces(scenes[n], 100, 50);
+    CAPTURE(n);
+    REQUIRE(together[n].size() == alone.size());
+    if (n > 20 && n % 10 != 9) CHECK(alone.size() == 50);
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+      CHECK(together[n][i].height == alone[i].height);
+      CHECK(together[n][i].phase == alone[i].phase);
+      CHECK(together[n][i].speed == alone[i].speed);
+    }
+  }
+}

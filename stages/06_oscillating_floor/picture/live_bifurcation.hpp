@@ -58,7 +58,7 @@ class LiveBifurcation {
     const double top = scene_.radius + 3 * scene_.gravity * swing * swing / 8;
     return top > 0 && top < highest_ ? top : std::max(highest_, 0.1);
   }
-  void compute(int column);
+  void compute();
   void make_dots(const Diagram& diagram);
 
   OscillatingFloor scene_;
@@ -87,23 +87,32 @@ inline bool LiveBifurcation::work(const Simulation& simulation, double seconds) 
     highest_ = 0;
   }
   while (done_ < columns) {
-    compute(column_of(done_++));
+    compute();
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
     if (spent.count() > seconds) break;
   }
   return done_ == columns;
 }
 
-inline void LiveBifurcation::compute(int column) {
-  scene_.amplitude = amplitude_of(column);
+/// The next columns, side by side.
+inline void LiveBifurcation::compute() {
+  std::vector<OscillatingFloor> scenes;
+  const int first = done_;
+  for (; done_ < columns && scenes.size() < lanes; ++done_) {
+    scene_.amplitude = amplitude_of(column_of(done_));
+    scenes.push_back(scene_);
+  }
   try {
-    std::vector<float>& heights = heights_[static_cast<std::size_t>(column)];
-    for (const Bounce& bounce : settled_bounces(scene_, discarded, kept)) {
-      heights.push_back(static_cast<float>(bounce.height));
-      highest_ = std::max(highest_, bounce.height);
+    int n = first;
+    for (const std::vector<Bounce>& bounces : settled_bounces(scenes, discarded, kept)) {
+      std::vector<float>& heights = heights_[static_cast<std::size_t>(column_of(n++))];
+      for (const Bounce& bounce : bounces) {
+        heights.push_back(static_cast<float>(bounce.height));
+        highest_ = std::max(highest_, bounce.height);
+      }
     }
   } catch (const TimeStandsStill&) {
-    // A contact that cannot be followed (absolute, fixed-switch): this column stays empty.
+    // Contacts that cannot be followed (absolute, fixed-switch): these columns stay empty.
   }
 }
 

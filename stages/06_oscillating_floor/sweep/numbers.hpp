@@ -31,7 +31,7 @@ V smaller(const V& a, const V& b) {
 /// `a`, or the number nearest to it that is not larger than `most`.
 template <class V>
 V within(const V& a, const V& most) {
-  return smaller(V(select(a > -most, a, -most)), most);
+  return smaller(select(a > -most, a, -most), most);
 }
 
 /// The next whole number: one that has 2^52 added to it has no digits left behind the point.
@@ -133,7 +133,7 @@ struct Derivatives {
   }
   /// Whether one more such step, of a function that swings with `w`, would be below rounding.
   Answer<V> is_near(const V& step, const V& w) const {
-    return (absolute(V(step * w)) < close) & (absolute(V(step * second)) < close * first);
+    return absolute(step * w) < close && absolute(step * second) < close * first;
   }
   V first_after(const V& t) const {
     return first + t * (second + t * (third / 2 + t * fourth / 6));

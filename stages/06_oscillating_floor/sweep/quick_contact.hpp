@@ -72,7 +72,7 @@ QuickContact<V> quick_contact(ContactLaw law, const Of& of) {
   quick.radius = of(&OscillatingFloor::radius);
   quick.omega0 = square_root(stiff);
   quick.beta = of(&OscillatingFloor::damping) / (2 * mass);
-  quick.omega_d = square_root(V((quick.omega0 - quick.beta) * (quick.omega0 + quick.beta)));
+  quick.omega_d = square_root((quick.omega0 - quick.beta) * (quick.omega0 + quick.beta));
   // The steady answer to the shaking -s'' is that, divided by omega0^2 - w^2 + 2 beta w i.
   Swing<V> divisor{2 * quick.beta * w, stiff - w * w};
   quick.level = -quick.gravity / stiff;
@@ -86,8 +86,8 @@ QuickContact<V> quick_contact(ContactLaw law, const Of& of) {
   quick.answer = inverse(quick.undo_answer);
   quick.answer_size = square_root(size_squared(quick.answer));
   quick.half_swing = std::numbers::pi / quick.omega_d;
-  quick.floor_turn = turn(V(w * quick.half_swing));
-  const V root = small_exponential(V(-quick.beta * quick.half_swing / 4));
+  quick.floor_turn = turn(w * quick.half_swing);
+  const V root = small_exponential(-quick.beta * quick.half_swing / 4);
   quick.decay = (root * root) * (root * root);
   return quick;
 }
@@ -106,7 +106,7 @@ Derivatives<V> QuickContact<V>::X(const Swing<V>& steady, const Swing<V>& free) 
 
 template <class V>
 LiftOff<V> QuickContact<V>::operator()(const Touch<V>& touch, const Swing<V>& floor) const {
-  const V stiff = omega0 * omega0, loss = 2 * beta, v = touch.velocity, one = V{} + 1;
+  const V stiff = omega0 * omega0, loss = 2 * beta, v = touch.velocity, one = V{1};
   const V shaking = amplitude * w * w;
 
   // The free swing: what is left of X when constant and steady swing are taken away.
@@ -137,17 +137,17 @@ LiftOff<V> QuickContact<V>::operator()(const Touch<V>& touch, const Swing<V>& fl
     now.first = select(end.is_sure, now.first, one);  // anything to divide by
     step = now.step_to_zero();
     const Answer<V> is_near = now.is_near(step, omega0);
-    end.is_sure = end.is_sure & is_near;
+    end.is_sure = end.is_sure && is_near;
     if (all(is_near) || i == most_steps) break;
-    step = select(is_near, V{}, within(step, V(eighth_turn / omega0)));  // as far as series go
+    step = select(is_near, V{}, within(step, eighth_turn / omega0));  // as far as series go
     t = t + step;
-    steady = steady * small_turn(V(w * step));
-    const Swing<V> turned = free * small_turn(V(omega_d * step));
-    const V dying = small_exponential(V(-beta * step));
+    steady = steady * small_turn(w * step);
+    const Swing<V> turned = free * small_turn(omega_d * step);
+    const V dying = small_exponential(-beta * step);
     free = {dying * turned.sine, dying * turned.cosine};
   }
   end.t = t + step;
-  end.floor = steady * undo_answer * tiny_turn(V(w * step));
+  end.floor = steady * undo_answer * tiny_turn(w * step);
   const V end_rate = now.first_after(step);
   end.x = V{};
   end.velocity = end_rate;
@@ -161,8 +161,8 @@ LiftOff<V> QuickContact<V>::operator()(const Touch<V>& touch, const Swing<V>& fl
   const V half = end.t / 2, cubic = bound * half * half / 6;
   const V after = -start.first - start.second * half / 2 - cubic;
   const V before = end_rate - (now.second + now.third * step) * half / 2 - cubic;
-  end.is_sure = end.is_sure & (v < 0) & (end.t > 0) & (start.first < 0) &
-                (after > -close * start.first) & (before > close * end_rate) & (end.velocity > 0);
+  end.is_sure = end.is_sure && end.t > 0 && -v > 0 && -start.first > 0 &&
+                after > -close * start.first && before > close * end_rate && end.velocity > 0;
   end.velocity = select(end.is_sure, end.velocity, one);
   return end;
 }
