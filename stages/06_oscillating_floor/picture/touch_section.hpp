@@ -17,7 +17,7 @@ namespace bounce {
 /// The Poincare section of the run that is seen: for each touch, where in its swing the floor was,
 /// and how fast ball and floor came together. Bounces that are all alike are one point, bounces
 /// that take turns are two; chaos is a cloud with a shape. Pale, below: where the exact ball comes
-/// by, after it has had time to settle.
+/// by, after it has had time to settle from where the run was when the floor changed.
 class TouchSection {
  public:
   void draw(Canvas& canvas, Rect area, const Playback& playback);
@@ -27,6 +27,13 @@ class TouchSection {
     double angle, speed;  // rad, m/s
   };
   void follow(const Playback& playback);
+  /// The scene that begins where the run is.
+  static OscillatingFloor from_now(OscillatingFloor scene, const TracePoint& now) {
+    scene.start = state_in<double>(now.values);
+    scene.start.position -= scene.floor_velocity * now.t;
+    scene.phase = within_one_turn(scene.angular_frequency * now.t + scene.phase);
+    return scene;
+  }
 
   static constexpr std::size_t most = 2000;
   std::vector<Bounce> exact_;
@@ -45,7 +52,7 @@ inline void TouchSection::follow(const Playback& playback) {
   if (is_other || trace.back().t < until_) {
     dots_.clear();
     try {
-      exact_ = settled_bounces(scene, 300, 1000);
+      exact_ = settled_bounces(from_now(scene, trace.back()), 300, 1000);
     } catch (const TimeStandsStill&) {
       exact_.clear();  // a contact that cannot be followed
     }
