@@ -156,3 +156,14 @@ TEST_CASE("stage 6: quick bounces have the same bits in every build") {
   }
   CHECK(hash == 18282734929696913772u);
 }
+
+TEST_CASE(
+    "stage 6: a ball that is let go in every swing and never leaves the floor does not bounce") {
+  OscillatingFloor scene;
+  scene.contact = ContactLaw::push_only;
+  scene.damping = 400;  // twice critical
+  for (const double amplitude : {0.055, 0.06}) {
+    scene.amplitude = amplitude;
+    CHECK(settled_bounces(scene, 200, 100).empty());
+  }
+}

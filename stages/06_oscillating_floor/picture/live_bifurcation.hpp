@@ -94,11 +94,13 @@ inline bool LiveBifurcation::work(const Simulation& simulation, double seconds) 
   return done_ == columns;
 }
 
-/// The next columns, side by side.
+/// The next columns, side by side; or the next one, where bounces are slow.
 inline void LiveBifurcation::compute() {
   std::vector<OscillatingFloor> scenes;
   const int first = done_;
-  for (; done_ < columns && scenes.size() < lanes; ++done_) {
+  scene_.amplitude = slider().highest;
+  const std::size_t most = has_quick_contact(scene_) ? lanes : 1;
+  for (; done_ < columns && scenes.size() < most; ++done_) {
     scene_.amplitude = amplitude_of(column_of(done_));
     scenes.push_back(scene_);
   }

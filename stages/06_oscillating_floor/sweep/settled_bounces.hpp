@@ -39,9 +39,11 @@ class ExactBounces {
         impact_(touch),
         is_flying_(walker_.phase() == Phase::flight) {}
 
-  /// The next one; nothing when the ball comes to stay on the floor, or flies away.
+  /// The next one; nothing when the ball comes to stay on the floor, or flies away. (It may stay
+  /// and be let go and touched again in every swing: so many such events without a lift-off are
+  /// enough.)
   std::optional<Bounce> next() {
-    while (walker_.next_event() != never) {
+    for (int event = 0; event < 300 && walker_.next_event() != never; ++event) {
       if (!is_flying_) {
         const Phase before = walker_.phase();
         walker_.pass_event();
