@@ -135,7 +135,8 @@ void settle_quickly(std::span<SettlingBall> balls, int bounces) {
     set_lane(touch.velocity, i, next.velocity);
   };
   for (std::size_t i = 0; i < balls.size(); ++i) go_exactly(i);
-  for (int n = 1; n < bounces; ++n) {
+  const auto has_stopped = [](const SettlingBall& ball) { return ball.has_stopped; };
+  for (int n = 1; n < bounces && !std::all_of(balls.begin(), balls.end(), has_stopped); ++n) {
     const NextTouch<V> next = next_touch(contact, touch);
     const Touch<V> before = touch;
     touch = next.touch;
