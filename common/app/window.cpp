@@ -156,8 +156,8 @@ void Window::draw_help() {
   };
   for (const Key& key : all_keys) line(key);
   if (survey) {
-    line({"B", "what happens at every value of a slider: click to go there"});
-    line({"N", "the Poincare section: each touch a point"});
+    line({"B", "all values of a slider: click to go there"});
+    line({"N", "Poincare section: each touch is a point"});
   }
   line({"F12", "save a picture"});
   line({"Esc", "quit"});
