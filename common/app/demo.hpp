@@ -19,14 +19,16 @@ struct View {
   bool trail = true;
   bool ghost = true;
   bool help = false;
-  bool chart = false;                 // speed against error
-  bool calm = false;                  // nothing that flashes
-  bool muted = false;                 // no sound
-  bool from_above = false;            // in space: the camera looks straight down
-  std::string tilt_keys = "A D W S";  // what is printed on the keys in these places
-  Rect whole{0, 0, 1280, 720};        // the picture of a demo without a panel
-  std::vector<TracePoint> future;     // with the present setting, while a slider moves
-  std::vector<TracePoint> earlier;    // with the setting before
+  bool chart = false;                    // speed against error
+  bool calm = false;                     // nothing that flashes
+  bool muted = false;                    // no sound
+  bool survey = false, section = false;  // always, and not only while a slider moves
+  bool narrow = false;                   // a phone: the plots are below each other
+  bool from_above = false;               // in space: the camera looks straight down
+  std::string tilt_keys = "A D W S";     // what is printed on the keys in these places
+  Rect whole{0, 0, 1280, 720};           // the picture of a demo without a panel
+  std::vector<TracePoint> future;        // with the present setting, while a slider moves
+  std::vector<TracePoint> earlier;       // with the setting before
 };
 
 /// A ball that is thrown with the pointer is not thrown faster [m/s].
@@ -60,6 +62,17 @@ struct Dial {
   std::function<void(Simulation&, double)> set;
 };
 
+/// What becomes of a run, for all values of one parameter at once: a picture in place of the plots.
+struct Survey {
+  std::string parameter;
+  /// Computes for so long [s] what is not known yet. Returns whether all is known.
+  std::function<bool(const Simulation&, double seconds)> work;
+  std::function<void(Canvas&, Rect, const Simulation&)> draw;
+  std::function<std::optional<double>(Rect, Point)> value_at;  // nothing beside the picture
+  /// What the run itself has come by so far: a picture in place of the second plot.
+  std::function<void(Canvas&, Rect, const Playback&)> section;
+};
+
 /// What a player's hands do, for a demo that is a game: the keys that are down, and the mouse.
 struct Controls {
   Point mouse{0, 0};
@@ -88,6 +101,7 @@ struct Demo {
   std::function<std::unique_ptr<Simulation>()> make;
   std::function<void(const Playback&, const View&, Canvas&)> picture;
   std::vector<Plot> plots;  // at most two
+  Survey survey;            // empty where there is none
   /// Called while the mouse button is down on the ball; empty when it cannot be dragged.
   std::function<bool(const Playback&, const View&, Point)> is_on_ball;
   /// Puts the ball where the mouse is, with that velocity of the mouse [px/s].
@@ -107,6 +121,10 @@ struct Demo {
   std::function<void(Playback&, const View&, const Controls&)> control;
   std::function<Knock(const Playback&)> knock;  // may be empty
 };
+
+/// As a slider sets a parameter.
+void set_parameter(const Demo& demo, Playback& playback, const std::string& name,
+                   const std::string& text);
 
 /// Reads the command line, and runs headless or in a window. Returns the exit code.
 int play_demo(int argc, const char* const* argv, const Demo& demo);

@@ -31,6 +31,12 @@ bool press(char key, const Demo& demo, Playback& playback, View& view, Controls&
     case 'e':
       view.chart = !view.chart;
       return true;
+    case 'b':
+      view.survey = demo.survey.draw && !view.survey;
+      return static_cast<bool>(demo.survey.draw);
+    case 'n':
+      view.section = demo.survey.section && !view.section;
+      return static_cast<bool>(demo.survey.section);
     case 'm':
       view.muted = !view.muted;
       return true;

@@ -25,6 +25,7 @@ struct Page {
   double clock = 0;  // s since the start
   long long knocks = 0;
   int future_frames = 0;
+  bool survey_is_done = true;
 };
 /// What the page's controls are made from: the tables of parameters and dials, the methods. As
 /// JSON.

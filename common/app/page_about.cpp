@@ -3,6 +3,7 @@
 
 #include "app/page.hpp"
 #include "app/page_json.hpp"
+#include "app/survey.hpp"
 #include "run/step_warning.hpp"
 
 namespace bounce {
@@ -19,6 +20,7 @@ std::string about_page(Page& p) {
   }
   json::Object all;
   all.add("title", p.demo.title).add("question", p.demo.question).add("name", p.demo.stage.name);
+  all.add("survey", p.demo.survey.parameter);
   all.add("game", is_game(p.demo)).add("space", p.demo.in_space).add("dt", simulation.dt());
   all.add("method", name_of(simulation.method())).add_text("methods", json::list(methods));
   all.add("by_events", simulation.method().goes_by_events);
@@ -48,7 +50,10 @@ std::string state_of_page(Page& p) {
   all.add("motion", now.energy.kinetic).add("lost", now.lost);
   const bool stopped = !p.playback.trouble().empty();
   all.add("trouble", stopped ? p.playback.trouble() : step_warning(simulation));
-  all.add("busy", p.view.chart && !p.demo.bare && !p.chart.is_done());
+  const bool survey = shows_survey(p.demo, p.view);
+  all.add("survey", p.view.survey).add("section", p.view.section).add("surveyed", survey);
+  all.add("busy",
+          (p.view.chart && !p.demo.bare && !p.chart.is_done()) || (survey && !p.survey_is_done));
   return all.text();
 }
 

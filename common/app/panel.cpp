@@ -61,6 +61,11 @@ void Panel::draw(Playback& playback, View& view) {
   ImGui::Checkbox("trail", &view.trail);
   ImGui::SameLine();
   ImGui::Checkbox("lens (L)", &playback.contact_lens);
+  if (demo_.survey.draw) {
+    ImGui::Checkbox(("every " + demo_.survey.parameter + " (B)").c_str(), &view.survey);
+    ImGui::SameLine();
+    ImGui::Checkbox("section (N)", &view.section);
+  }
   if (ImGui::Button("copy command") && seen_) SDL_SetClipboardText(command(playback).c_str());
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", command(playback).c_str());
   ImGui::SameLine();

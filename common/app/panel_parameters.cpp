@@ -25,17 +25,7 @@ void Panel::draw_parameters(Playback& playback, View& view, bool main_ones) {
 
 void Panel::draw_parameter(Playback& playback, View& view, const Parameter& parameter) {
   const auto apply = [&](const std::string& text) {
-    playback.change(
-        [&](Simulation& simulation) {
-          const std::vector<Parameter> all = simulation.parameters();
-          const Parameter& changed = find_parameter(all, parameter.name);
-          if (demo_.set) {
-            demo_.set(simulation, changed, text);
-          } else {
-            changed.set(text);
-          }
-        },
-        parameter.is_start);
+    set_parameter(demo_, playback, parameter.name, text);
     cost_is_old_ = true;
   };
   if (const auto* choice = std::get_if<Choice>(&parameter.value)) {

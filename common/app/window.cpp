@@ -6,6 +6,7 @@
 #include "app/drawing.hpp"
 #include "app/layout.hpp"
 #include "app/palette.hpp"
+#include "app/survey.hpp"
 
 namespace bounce {
 
@@ -102,9 +103,7 @@ void Window::draw() {
   demo_.picture(playback_, view_, canvas_);
   if (!demo_.bare) {
     draw_energy_column(canvas_, layout::energy, playback_.trace().back());
-    for (std::size_t i = 0; i < demo_.plots.size() && i < 2; ++i) {
-      plots_[i].draw(canvas_, layout::plots[i], demo_.plots[i], playback_);
-    }
+    draw_plots();
     if (view_.chart) draw_chart();
     if (view_.help) draw_help();
     panel_->draw(playback_, view_);
@@ -123,6 +122,19 @@ void Window::draw() {
   SDL_RenderFlush(renderer_);  // now, and not when it is presented: so it can be timed
 }
 
+/// Or the survey, and the section, in their place. It computes like the chart.
+void Window::draw_plots() {
+  const bool survey = shows_survey(demo_, view_), section = shows_section(demo_, view_);
+  for (std::size_t i = 0; i < demo_.plots.size() && i < 2 && !(survey && !section); ++i) {
+    if ((i == 0 && survey) || (i == 1 && section)) continue;
+    plots_[i].draw(canvas_, layout::plots[i], demo_.plots[i], playback_);
+  }
+  if (section) demo_.survey.section(canvas_, layout::plots[1], playback_);
+  if (!survey) return;
+  demo_.survey.work(playback_.simulation(), seen_ ? chart_budget : 1e9);
+  demo_.survey.draw(canvas_, survey_area(demo_, view_), playback_.simulation());
+}
+
 /// The chart computes a little in every frame. Unseen, all at once: then every picture is whole.
 void Window::draw_chart() {
   const Simulation& simulation = playback_.simulation();
@@ -132,7 +144,8 @@ void Window::draw_chart() {
 }
 
 void Window::draw_help() {
-  const Rect area{150, 110, 490, 354};
+  const bool survey = static_cast<bool>(demo_.survey.draw);
+  const Rect area{150, 110, 490, survey ? 408.0f : 354.0f};
   draw_rect(canvas_, area, palette::paper.faded(0.95));
   draw_frame(canvas_, area, palette::ink, 1);
   float y = area.y + 16;
@@ -142,6 +155,10 @@ void Window::draw_help() {
     y += 27;
   };
   for (const Key& key : all_keys) line(key);
+  if (survey) {
+    line({"B", "all values of a slider: click to go there"});
+    line({"N", "Poincare section: each touch is a point"});
+  }
   line({"F12", "save a picture"});
   line({"Esc", "quit"});
 }

@@ -49,6 +49,7 @@ class Window {
   void play_game(double real_seconds);
   void sound();
   void draw();
+  void draw_plots();
   void draw_chart();
   void draw_help();
   void read_pixels();

@@ -1,4 +1,5 @@
 // What the user does to the window: keys, mouse, and clicks on the chart.
+#include "app/survey.hpp"
 #include "app/window.hpp"
 
 namespace bounce {
@@ -11,7 +12,8 @@ void Window::handle(const SDL_Event& event) {
   if (event.type == SDL_MOUSEMOTION) controls_.mouse_moved = true;
   if (event.type == SDL_MOUSEBUTTONDOWN && event.button.button == SDL_BUTTON_LEFT) {
     const Point at{static_cast<float>(event.button.x), static_cast<float>(event.button.y)};
-    if (!choose_from_chart(demo_, view_, chart_, playback_, at)) {
+    if (!choose_from_chart(demo_, view_, chart_, playback_, at) &&
+        !choose_from_survey(demo_, view_, playback_, at)) {
       held_.take(demo_, playback_, view_, at);
     }
   }

@@ -10,6 +10,7 @@
 #include "app/layout.hpp"
 #include "app/page.hpp"
 #include "app/page_words.hpp"
+#include "app/survey.hpp"
 #include "run/output_file.hpp"
 
 // clang-format off
@@ -86,13 +87,15 @@ EMSCRIPTEN_KEEPALIVE void page_move(double seconds) {
   p.view.future = p.future_frames > 0 ? p.playback.future(future_length) : p.view.earlier;
 }
 
-/// A part of the picture: 0 the scene, 1 the energy, 2 and 3 the plots, 4 the chart of errors. Each
-/// is drawn where it stands in the window (layout.hpp).
+/// A part of the picture: 0 the scene, 1 the energy, 2 and 3 the plots, 4 the chart of errors, 5
+/// the survey. Each is drawn where it stands in the window (layout.hpp).
 EMSCRIPTEN_KEEPALIVE void page_draw(int part) {
   Page& p = *page;
   if (part == 0) p.demo.picture(p.playback, p.view, p.canvas);
   if (part == 1) draw_energy_column(p.canvas, layout::energy, p.playback.trace().back());
-  if (part == 2 || part == 3) {
+  if (part == 3 && shows_section(p.demo, p.view)) {
+    p.demo.survey.section(p.canvas, layout::plots[1], p.playback);
+  } else if (part == 2 || part == 3) {
     const auto i = static_cast<std::size_t>(part - 2);
     if (i < p.demo.plots.size())
       p.plots[i].draw(p.canvas, layout::plots[i], p.demo.plots[i], p.playback);
@@ -102,6 +105,10 @@ EMSCRIPTEN_KEEPALIVE void page_draw(int part) {
     p.chart.follow(simulation, 15);
     p.chart.work(0.004);
     draw_error_chart(p.canvas, layout::chart, p.chart, simulation.method(), simulation.dt());
+  }
+  if (part == 5) {
+    p.survey_is_done = p.demo.survey.work(p.playback.simulation(), 0.004);
+    p.demo.survey.draw(p.canvas, survey_area(p.demo, p.view), p.playback.simulation());
   }
 }
 
@@ -116,18 +123,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_set(const char* name, const char* text) {
       if (dial.name != name || !value) continue;
       return p.playback.change([&](Simulation& simulation) { dial.set(simulation, *value); });
     }
-    const std::vector<Parameter> now = p.playback.simulation().parameters();
-    p.playback.change(
-        [&](Simulation& simulation) {
-          const std::vector<Parameter> all = simulation.parameters();
-          const Parameter& changed = find_parameter(all, name);
-          if (p.demo.set) {
-            p.demo.set(simulation, changed, text);
-          } else {
-            changed.set(text);
-          }
-        },
-        find_parameter(now, name).is_start);
+    set_parameter(p.demo, p.playback, name, text);
   });
 }
 EMSCRIPTEN_KEEPALIVE const char* page_method(const char* name, double dt) {
@@ -144,6 +140,9 @@ EMSCRIPTEN_KEEPALIVE void page_see(const char* what, int on) {
   if (name == "forces") view.forces = on != 0;
   if (name == "exact") view.ghost = on != 0;
   if (name == "trail") view.trail = on != 0;
+  if (name == "survey") view.survey = on != 0;
+  if (name == "narrow") view.narrow = on != 0;
+  if (name == "section") view.section = on != 0;
   if (name == "calm") view.calm = on != 0;
 }
 /// How large the picture of a game is.
@@ -165,7 +164,8 @@ EMSCRIPTEN_KEEPALIVE int page_pointer(int kind, float x, float y) {
   p.controls.mouse_moved = true;
   if (kind == 1) {
     p.controls.button = true;
-    if (!choose_from_chart(p.demo, p.view, p.chart, p.playback, at)) {
+    if (!choose_from_chart(p.demo, p.view, p.chart, p.playback, at) &&
+        !choose_from_survey(p.demo, p.view, p.playback, at)) {
       p.held.take(p.demo, p.playback, p.view, at);
     }
   }

@@ -190,6 +190,26 @@ for (const [name, slider, value, at] of [['01_free_fall', 'gravity', '3.7', '0.5
 }
 since('sliders');
 
+// The survey of stage 6: it is seen when a slider moves, and a click in it goes to that amplitude.
+{
+  const page = await open(1280, 'light', '06_oscillating_floor.html'), stage = page.locator('bounce-stage').first(), canvas = stage.locator('canvas');
+  await stage.scrollIntoViewIfNeeded();
+  await ready(page);
+  const seen = () => page.evaluate(() => { const { api } = document.querySelector('bounce-stage'); return [JSON.parse(api.state()).surveyed, +JSON.parse(api.about()).parameters.find(p => p.name === 'amplitude').text]; });
+  await canvas.evaluate(e => e.scrollIntoView({ block: 'end' })); // below the head of the page
+  const box = await canvas.boundingBox(), click = () => page.mouse.click(box.x + box.width * 480 / 840, box.y + box.height * 630 / 720);
+  await click();
+  const [none, still] = await seen();
+  check(!none && still === 0.06, `stage 6: a survey that nobody sees takes a click: ${still}`);
+  await stage.getByText('every amplitude').click();
+  await page.waitForTimeout(500);
+  await canvas.evaluate(e => e.scrollIntoView({ block: 'end' }));
+  await click();
+  const [surveyed, amplitude] = await seen();
+  check(surveyed && amplitude > 0.08 && amplitude < 0.09, `stage 6: a click in the survey goes to ${amplitude} m`);
+  await close(page);
+}
+
 // The bet, a small figure's slider, the chart of errors, the game, sound, best score, search, theme, many balls
 let page = await open(1280, 'light', '03_damping.html');
 await startAll(page, '03_damping.html');

@@ -1,5 +1,6 @@
 #include "06_oscillating_floor/exact/exact.hpp"
 #include "06_oscillating_floor/oscillating_floor.hpp"
+#include "06_oscillating_floor/picture/survey.hpp"
 #include "06_oscillating_floor/slider/set_without_jump.hpp"
 #include "06_oscillating_floor/sweep/run_sweep.hpp"
 #include "app/side_view.hpp"
@@ -17,6 +18,7 @@ int main(int argc, char** argv) {
   demo.set = set_without_jump;
   demo.plots = {plot_column("velocity", "m/s", "v"),
                 plot_lost_energy("energy lost to the damper, this bounce")};
+  demo.survey = amplitude_survey();
   demo.options = {{"--sweep", "NAME=FROM,TO,N",
                    "N values of a parameter: for each, 100 bounces after 300, to --csv or "
                    "--screenshot"}};

@@ -170,14 +170,6 @@ void measure_size(long count, Results& results) {
   contacts += ": " + text("%.1f", 2.0 * test::contacts(crowd) / static_cast<double>(count));
 }
 
-std::string processor() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
-  }
-  return "unknown";
-}
-
 std::string vector_units() {
 #if BOUNCE_WIDER_PASSES
   if (many::fastest_pass() == many::pass_avx512) return "AVX-512";
@@ -188,7 +180,7 @@ std::string vector_units() {
 
 Results measure() {
   Results results;
-  results.about = {"processor: " + processor(), "vector units: " + vector_units(),
+  results.about = {"processor: " + report::processor(), "vector units: " + vector_units(),
                    "compiler: " + std::string(BOUNCE_COMPILER), "flags: " BOUNCE_FLAGS};
   for (const long count : sizes) measure_size(count, results);
   return results;

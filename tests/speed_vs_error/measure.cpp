@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <fstream>
 #include <limits>
 #include <stdexcept>
 
@@ -67,25 +66,13 @@ void judge_exact(const Case& on, const Subject& exact, Result& result) {
   }
 }
 
-std::string cpu_name() {
-  std::ifstream info("/proc/cpuinfo");
-  std::string name = "unknown";
-  for (std::string line; std::getline(info, line);) {
-    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
-  }
-  return name;
-}
-
 std::vector<std::string> about_this_run() {
   char date[16];
   const std::time_t now = std::time(nullptr);
   std::strftime(date, sizeof date, "%Y-%m-%d", std::gmtime(&now));
-  return {"processor: " + cpu_name(),
-          std::string("compiler: ") + BOUNCE_COMPILER,
-          std::string("flags: ") + BOUNCE_FLAGS,
-          std::string("peers: ") + BOUNCE_PEERS,
-          "engines: " + engine_versions(),
-          std::string("date: ") + date};
+  return {"processor: " + processor(),           std::string("compiler: ") + BOUNCE_COMPILER,
+          std::string("flags: ") + BOUNCE_FLAGS, std::string("peers: ") + BOUNCE_PEERS,
+          "engines: " + engine_versions(),       std::string("date: ") + date};
 }
 
 std::vector<Case> all_cases() {

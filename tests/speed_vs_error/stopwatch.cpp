@@ -1,5 +1,7 @@
 #include "speed_vs_error/stopwatch.hpp"
 
+#include <fstream>
+
 namespace bounce::report {
 namespace {
 
@@ -36,6 +38,14 @@ std::vector<double> cost_in_alternation(const std::vector<Work>& works, int roun
   std::vector<double> cost;
   for (const std::vector<double>& each : times) cost.push_back(median(each));
   return cost;
+}
+
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+  }
+  return "unknown";
 }
 
 }  // namespace bounce::report

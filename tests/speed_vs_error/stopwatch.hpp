@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <ctime>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace bounce::report {
@@ -24,5 +25,8 @@ using Work = std::function<double(long n)>;
 /// measures all of them), so that a slow moment of the machine hits all alike.
 std::vector<double> cost_in_alternation(const std::vector<Work>& works, int rounds,
                                         double seconds_each);
+
+/// Its name, as the system tells it.
+std::string processor();
 
 }  // namespace bounce::report

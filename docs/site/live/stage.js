@@ -5,23 +5,24 @@ import { start } from './module.js';
 import { penFor } from './pen.js';
 import { control, html, named, say, watch } from './words.js';
 
-const scene = [0, 0, 748, 540], energy = [748, 0, 92, 540], plots = [[0, 540, 420, 180], [420, 540, 420, 180]], chart = [64, 16, 340, 452];
+const scene = [0, 0, 748, 540], energy = [748, 0, 92, 540], plots = [[0, 540, 420, 180], [420, 540, 420, 180]], chart = [64, 16, 340, 452], strip = [0, 540, 840, 180];
 const held = { ArrowLeft: 1, ArrowRight: 2, ArrowUp: 4, ArrowDown: 8, ' ': 16, a: 32, d: 64, w: 128, s: 256 }; // a game's, while they are down
 const smallest = 11; // px, of text
 const short = value => Math.abs(value) < 1e-12 ? '0' : String(+value.toPrecision(3));
 const steps = [1e-5, 2e-5, 5e-5, 1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 1e-2, 2e-2, 5e-2, 0.1];
 
 /** Where the parts of the picture go on a canvas of this width, and how high it is: as in the window, or on a phone below each other. */
-function arrange(width, about, errors) {
+function arrange(width, about, { errors, surveyed, section }) {
   const put = (part, from, x, y, scale) => ({ part, from, x, y, scale });
   if (about.game) { const across = width > 620 ? 1280 : 720; return { height: width * 720 / across, parts: [put(0, [0, 0, across, 720], 0, 0, width / across)] }; }
   if (width > 620) {
-    const s = width / 840, all = [put(0, scene, 0, 0, s), put(1, energy, 748 * s, 0, s), put(2, plots[0], 0, 540 * s, s), put(3, plots[1], 420 * s, 540 * s, s)];
+    const s = width / 840, all = [put(0, scene, 0, 0, s), put(1, energy, 748 * s, 0, s),
+      ...(surveyed && !section ? [put(5, strip, 0, 540 * s, s)] : [put(surveyed ? 5 : 2, plots[0], 0, 540 * s, s), put(3, plots[1], 420 * s, 540 * s, s)])];
     return { height: 720 * s, parts: errors ? [...all, put(4, chart, 64 * s, 16 * s, s)] : all };
   }
   const s = width / 840, t = width / 440, c = width / 340, top = errors ? 452 * c : 540 * s;
   const first = errors ? [put(4, chart, 0, 0, c)] : [put(0, scene, 0, 0, s), put(1, energy, 748 * s, 0, s)];
-  return { height: top + 2 * 180 * t, parts: [...first, put(2, plots[0], 0, top, t), put(3, plots[1], 0, top + 180 * t, t)] };
+  return { height: top + 2 * 180 * t, parts: [...first, put(surveyed ? 5 : 2, plots[0], 0, top, t), put(3, plots[1], 0, top + 180 * t, t)] };
 }
 
 let audio = null; // begins with the first gesture
@@ -74,7 +75,8 @@ class Stage extends HTMLElement {
     this.play = button('play', 'p'); this.play.className = 'play';
     this.toggles = about.game ? { muted: button('sound', 'm'), help: button('help', '?') } : {
       slow: button('slow', 'o'), lens: button('lens', 'l'), forces: see('forces'), exact: see('exact'), trail: see('trail'),
-      ...(about.space ? { above: button('from above', 't') } : {}), errors: button('errors', 'e'), help: button('help', '?') };
+      ...(about.space ? { above: button('from above', 't') } : {}), errors: button('errors', 'e'),
+      ...(about.survey ? { survey: button(`every ${about.survey}`, 'b'), section: button('section', 'n') } : {}), help: button('help', '?') };
     this.scrub = html('input', { type: 'range', min: 0, max: 1, step: 'any', 'aria-label': s('time'), oninput: () => { api.go_back(+this.scrub.value); this.changed(); } });
     this.clock = html('output'); this.facts = html('p', { className: 'facts' });
     this.energies = ['height', 'spring', 'motion', 'lost'].map(name => { const number = html('b'); return { name, number, item: html('span', { className: name }, s(name) + ' ', number) }; });
@@ -192,7 +194,8 @@ class Stage extends HTMLElement {
   }
   draw() {
     const { canvas, ctx, api } = this, { pen } = api, full = document.fullscreenElement === canvas;
-    const wide = full ? Math.min(innerWidth, innerHeight * 1280 / 720) : canvas.clientWidth, { height, parts } = arrange(wide, this.about, this.state.errors);
+    const wide = full ? Math.min(innerWidth, innerHeight * 1280 / 720) : canvas.clientWidth, { height, parts } = arrange(wide, this.about, this.state);
+    api.see('narrow', wide > 620 ? 0 : 1);
     const dots = Math.min(3, devicePixelRatio || 1), w = Math.round(wide * dots), h = Math.round(height * dots);
     if (canvas.width !== w || canvas.height !== h) { canvas.width = w; canvas.height = h; canvas.style.aspectRatio = `${w}/${h}`; }
     this.wide = wide; this.high = height; this.parts = parts;

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <optional>
@@ -51,14 +52,20 @@ inline std::optional<int> run_sweep(const Simulation& simulation, const Options&
   const auto begin = std::chrono::steady_clock::now();
   std::vector<SweepRow> rows;
   catch_interrupts();
-  for (const double value : sweep.values) {
-    if (interrupted()) break;  // the rows until then are kept
-    parameter.set(to_text(value));
-    for (const Bounce& bounce : settled_bounces(scene, discarded, kept)) {
-      rows.push_back({value, bounce.phase, bounce.height});
-      if (!csv) continue;
-      csv->write(to_text(value) + "," + to_text(bounce.phase) + "," + to_text(bounce.height) +
-                 "\n");
+  const auto write = [&](double value, const Bounce& bounce) {
+    rows.push_back({value, bounce.phase, bounce.height});
+    if (!csv) return;
+    csv->write(to_text(value) + "," + to_text(bounce.phase) + "," + to_text(bounce.height) + "\n");
+  };
+  for (std::size_t i = 0; i < sweep.values.size() && !interrupted();) {  // else rows are kept
+    std::vector<OscillatingFloor> scenes;                                // side by side
+    for (std::size_t n = i; n < std::min(i + lanes, sweep.values.size()); ++n) {
+      parameter.set(to_text(sweep.values[n]));
+      scenes.push_back(scene);
+    }
+    for (const std::vector<Bounce>& bounces : settled_bounces(scenes, discarded, kept)) {
+      for (const Bounce& bounce : bounces) write(sweep.values[i], bounce);
+      ++i;
     }
   }
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
