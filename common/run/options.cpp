@@ -70,6 +70,11 @@ void read_times(const Words& words, Options& options, double start) {
       throw BadInput("--at and --sample exclude each other: give one of them");
     const std::vector<std::string> times = split(*words.at);
     for (const std::string& text : times) {
+      // 0.1 + 0.2 is one rounding beyond 0.3, and at the end all the same.
+      const double asked = parse_number(text).value_or(0);
+      if (asked <= options.duration * (1 + 1e-15)) {
+        options.duration = std::max(options.duration, asked);
+      }
       options.at.push_back(number("--at", text, {start, options.duration}, "s, the --duration"));
     }
     if (times.size() == 2 && words.at->find('.') == std::string::npos) {  // a comma decimal?

@@ -116,6 +116,12 @@ TEST_CASE("blanks beside a comma or an equals sign are no part of a number") {
   CHECK(lines(sums).size() == 3);
 }
 
+TEST_CASE("a time that is one rounding beyond the end is at the end") {
+  const std::string run = "01_free_fall --duration 0.3 --csv - --at ";
+  CHECK(contains(run_program(run + "0.30000000000000004").out, "\n0.30000000000000004,"));
+  CHECK(run_program(run + "0.3001").code == 2);
+}
+
 TEST_CASE("two whole times may be meant as one decimal: the run says how it reads them") {
   const Outcome run = run_program("01_free_fall --csv - --at 0,5");
   CHECK(contains(run.err, "--at 0,5 is two times, 0 s and 5 s; a decimal has a point"));
