@@ -68,6 +68,7 @@ struct Controls {
   bool left = false, right = false, up = false, down = false;  // arrow keys
   bool a = false, d = false, w = false, s = false;
   bool less = false, more = false;  // minus and plus, when they go down
+  bool any = false;                 // a key or button went down that does nothing else
   double seconds = 0;               // since the last frame
 };
 

@@ -7,6 +7,7 @@ void Window::handle(const SDL_Event& event) {
   backend_->event(event);
   if (event.type == SDL_QUIT) closed_ = true;
   if (event.type == SDL_KEYDOWN) key(event.key.keysym);
+  if (event.type == SDL_MOUSEBUTTONDOWN) controls_.any = true;
   if (event.type == SDL_KEYMAPCHANGED) read_keyboard_layout();
   if (event.type == SDL_MOUSEMOTION) controls_.mouse_moved = true;
   if (event.type == SDL_MOUSEBUTTONDOWN && event.button.button == SDL_BUTTON_LEFT) {
@@ -34,6 +35,9 @@ void Window::read_keyboard_layout() {
 /// All other letters go by what the layout says, and by their place where it has no Latin ones.
 void Window::key(SDL_Keysym pressed) {
   const SDL_Keycode key = pressed.sym;
+  const auto press_ = [this](char letter) {
+    return press(letter, demo_, playback_, view_, controls_);
+  };
   switch (key) {
     case SDLK_ESCAPE:
       closed_ = true;
@@ -42,27 +46,26 @@ void Window::key(SDL_Keysym pressed) {
       screenshot_ = demo_.stage.name + ".png";
       break;
     case SDLK_F1:
-      press('?', demo_, playback_, view_, controls_);
+      press_('?');
       break;
     case SDLK_LEFT:
     case SDLK_RIGHT:
-      if (!is_game(demo_)) {
-        press(key == SDLK_LEFT ? ',' : '.', demo_, playback_, view_, controls_);
-      }
+      if (!is_game(demo_)) press_(key == SDLK_LEFT ? ',' : '.');
+      controls_.any = true;
       break;
     case SDLK_KP_MINUS:
-      press('-', demo_, playback_, view_, controls_);
+      press_('-');
       break;
     case SDLK_KP_PLUS:
     case SDLK_EQUALS:
-      press('+', demo_, playback_, view_, controls_);
+      press_('+');
       break;
     default: {
       const SDL_Scancode place = pressed.scancode;
       const bool has_letter = key < 128 || place < SDL_SCANCODE_A || place > SDL_SCANCODE_Z;
       const SDL_Keycode letter = has_letter ? key : 'a' + (place - SDL_SCANCODE_A);
       // SDL's code of a letter is the letter.
-      if (letter < 128) press(static_cast<char>(letter), demo_, playback_, view_, controls_);
+      if (letter >= 128 || !press_(static_cast<char>(letter))) controls_.any = true;
       break;
     }
   }
@@ -85,7 +88,7 @@ void Window::play_game(double real_seconds) {
   controls_.s = keys[SDL_SCANCODE_S] != 0;
   controls_.seconds = real_seconds;
   demo_.control(playback_, view_, controls_);
-  controls_.mouse_moved = controls_.less = controls_.more = false;
+  controls_.mouse_moved = controls_.less = controls_.more = controls_.any = false;
 }
 
 }  // namespace bounce

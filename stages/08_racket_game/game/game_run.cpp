@@ -1,6 +1,8 @@
 #include "08_racket_game/game/game_run.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "08_racket_game/run/racket_steps.hpp"
 #include "physics/events/event_driven.hpp"
@@ -139,6 +141,15 @@ void GameRun::replay(std::shared_ptr<const InputLog> log) {
   round_.number = replay_->round;
   use_method(find_method(replay_->method, methods()));
   use_dt(replay_->dt);
+}
+
+void GameRun::repeat() {
+  if (!record_ || replay_) return;
+  const auto not_yet = [this](const InputLog::Entry& entry) { return entry.step >= round_.steps; };
+  replay_ = std::exchange(record_, nullptr);
+  const auto& entries = replay_->entries;
+  next_entry_ = static_cast<std::size_t>(std::find_if(entries.begin(), entries.end(), not_yet) -
+                                         entries.begin());
 }
 
 void GameRun::note_settings() {

@@ -40,8 +40,11 @@ class GameRun final : public Simulation {
   void want(Input input);
   /// Notes all inputs in `log`.
   void record(std::shared_ptr<InputLog> log) { record_ = std::move(log); }
+  bool is_recorded() const { return record_ != nullptr; }
   /// Plays the inputs of `log`, with what else is written there.
   void replay(std::shared_ptr<const InputLog> log);
+  /// A copy of a run that went on: what its player did since comes again, and is not noted twice.
+  void repeat();
 
   // ---- As every simulation
   std::unique_ptr<Simulation> clone() const override { return std::make_unique<GameRun>(*this); }

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "08_racket_game/run/bare_racket.hpp"
 #include "app/drawing.hpp"
 #include "app/palette.hpp"
 #include "app/space_drawing.hpp"
@@ -17,7 +18,6 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double trail_lasts = 0.35;      // s
 constexpr Colour face{0xBF, 0xD3, 0xE2};  // of the racket
 constexpr Colour back{0x9A, 0xAF, 0xBE};
 
@@ -41,6 +41,22 @@ Colour mixed(Colour from, Colour to, double share) {
 }
 
 }  // namespace
+
+Court court_of(const Simulation& simulation) {
+  Court court;
+  court.ball = state_in<Vector3d>(simulation.values());
+  if (const GameRun* game = run_if<GameRun>(simulation)) {
+    court.game = game;
+    court.racket = game->scene_now();
+    court.home = game->settings().racket.disc.centre;
+  } else {
+    const BareRacketWorld& world = run_as<BareRacketRun>(simulation).world();
+    court.racket = world.scene_now();
+    court.racket.disc = world.disc(simulation.time());
+    court.home = world.setup.racket.disc.centre;
+  }
+  return court;
+}
 
 void draw_floor(Canvas& canvas, const Camera& camera, const Plane& floor, const Vector3d& centre) {
   constexpr double square = 0.5;  // m
@@ -94,20 +110,44 @@ void draw_landing(Canvas& canvas, const Camera& camera, const Court& court) {
   }
 }
 
-void draw_game_trail(Canvas& canvas, const Camera& camera, const Playback& playback) {
-  const double now = playback.shown_time();
-  std::vector<Vector3d> path;
-  std::vector<double> ages;
-  for (auto point = playback.trace().rbegin(); point != playback.trace().rend(); ++point) {
-    if (now - point->t > trail_lasts) break;
-    path.push_back(state_in<Vector3d>(point->values).position);
-    ages.push_back((now - point->t) / trail_lasts);
-  }
-  for (std::size_t i = 0; i + 4 < path.size(); i += 4) {
-    const std::array<Vector3d, 2> piece{path[i], path[i + 4]};
-    const double share = std::clamp(1 - ages[i], 0.0, 1.0);
+void draw_game_trail(Canvas& canvas, const Camera& camera, std::span<const TrailPoint> trail) {
+  for (std::size_t i = 0; i + 4 < trail.size(); i += 4) {
+    const std::array<Vector3d, 2> piece{trail[i].place, trail[i + 4].place};
+    const double share = std::clamp(1 - trail[i].age / trail_lasts, 0.0, 1.0);
     draw_path(canvas, camera, piece, palette::motion.faded(0.55 * share),
               static_cast<float>(2 + 5 * share));
+  }
+}
+
+void draw_arrows(Canvas& canvas, const Camera& camera, const Court& court, const Moment& now,
+                 const Moment* touch) {
+  const auto arrow = [&](const Vector3d& from, const Vector3d& to, Colour colour, Shaft shaft) {
+    if (!camera.sees(from) || !camera.sees(to)) return;
+    draw_arrow(canvas, camera.at(from), camera.at(to), colour, shaft);
+  };
+  if (touch != nullptr && camera.sees(touch->nearest.point)) {
+    const Vector3d at = touch->nearest.point;
+    for (const Vector3d& arm : {Vector3d(0.04, 0, 0.04), Vector3d(0.04, 0, -0.04)}) {
+      const std::array<Vector3d, 2> line{at - arm, at + arm};
+      draw_path(canvas, camera, line, palette::ink, 2);
+    }
+    const double weight = court.racket.mass * court.racket.gravity;
+    if (weight > 0 && touch->push.norm() > 0) {
+      const double length = 0.06 * std::sqrt(touch->push.norm() / weight);
+      const Vector3d tip = at + length * touch->push.normalized();
+      arrow(at, tip, palette::spring, Shaft::force);
+      if (camera.sees(tip)) {
+        draw_label(canvas, {camera.at(tip).x + 12, camera.at(tip).y - 8},
+                   "push " + with_unit(touch->push.norm(), "N"), palette::spring);
+      }
+    }
+    draw_label(canvas, {camera.at(at).x + 14, camera.at(at).y + 8}, "touch", palette::ink);
+  }
+  const Vector3d ball = now.ball.position, tip = ball + 0.15 * now.ball.velocity;
+  arrow(ball, tip, palette::motion, Shaft::velocity);
+  if (camera.sees(tip)) {
+    draw_label(canvas, {camera.at(tip).x + 14, camera.at(tip).y - 6},
+               with_unit(now.ball.velocity.norm(), "m/s"), palette::motion);
   }
 }
 

@@ -1,10 +1,21 @@
 #pragma once
 #include <Eigen/Core>
+#include <span>
 
-#include "08_racket_game/picture/game_view.hpp"
+#include "08_racket_game/game/loss.hpp"
 #include "app/camera.hpp"
+#include "app/canvas.hpp"
 
 namespace bounce {
+
+/// What the picture needs to know, of the game or of the bare physics.
+struct Court {
+  State<Eigen::Vector3d> ball;
+  Racket racket;                  // as it is now, with the gravity of now
+  Eigen::Vector3d home{0, 0, 0};  // where the racket began
+  const GameRun* game = nullptr;  // nullptr: the bare physics
+};
+Court court_of(const Simulation& simulation);
 
 // The things in the picture of the game, one by one.
 
@@ -21,8 +32,18 @@ void draw_disc_shadow(Canvas& canvas, const Camera& camera, const Disc& disc, do
 /// Where the ball will come down to the racket's height: a cross, and a ring that closes.
 void draw_landing(Canvas& canvas, const Camera& camera, const Court& court);
 
-/// Where the ball has just been.
-void draw_game_trail(Canvas& canvas, const Camera& camera, const Playback& playback);
+/// Where the ball has just been, the latest place first.
+struct TrailPoint {
+  double age;  // s
+  Eigen::Vector3d place;
+};
+void draw_game_trail(Canvas& canvas, const Camera& camera, std::span<const TrailPoint> trail);
+inline constexpr double trail_lasts = 0.35;  // s
+
+/// What is seen when a loss is shown again: the ball's velocity, where it was touched last, and
+/// the racket's push there.
+void draw_arrows(Canvas& canvas, const Camera& camera, const Court& court, const Moment& now,
+                 const Moment* touch);
 
 /// A ball in contact is flattened by its real overlap; its volume stays.
 void draw_flattened_ball(Canvas& canvas, const Camera& camera, const Eigen::Vector3d& centre,

@@ -19,13 +19,14 @@ class Hands {
     if (controls.less) run.set_assist(run.settings().assist - 10);
     if (controls.more) run.set_assist(run.settings().assist + 10);
 
-    const bool swing = controls.space || controls.button;
-    const bool pressed = swing && !swung_;
-    swung_ = swing;
     const Round& round = run.round();
-    if (round.score.lost && pressed && round.clock - round.lost_clock > 0.3) {
+    // Not at once: that key was meant for the ball.
+    if (round.score.lost && controls.any && round.clock - round.lost_clock > 0.5) {
       playback.restart();
       return;
+    }
+    if (!run.is_recorded() && !run.is_replay()) {
+      run.record(std::make_shared<InputLog>());  // to see a loss again
     }
 
     const Eigen::Vector3d home = run.settings().racket.disc.centre;
@@ -46,7 +47,7 @@ class Hands {
     input.z = home.z() + aim_.z;
     input.tilt_x = controls.d - controls.a;
     input.tilt_z = controls.s - controls.w;
-    input.swing = swing ? 1 : 0;
+    input.swing = controls.space || controls.button ? 1 : 0;
     run.want(input);
   }
 
@@ -63,7 +64,6 @@ class Hands {
   struct Aim {
     double x = 0, z = 0;
   } aim_;
-  bool swung_ = false;
   static constexpr const char* best_score = "racket_game_best";
   int best_ = -1;  // not read yet
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <sstream>
 #include <vector>
 
 #include "app/drawing.hpp"
@@ -58,6 +59,21 @@ void draw_keys(Canvas& canvas, Rect area, const View& view) {
   }
 }
 
+/// The words in lines that are not wider than this.
+std::vector<std::string> in_lines(const Canvas& canvas, const std::string& words, TextSize size,
+                                  float width) {
+  std::vector<std::string> lines;
+  std::istringstream stream(words);
+  for (std::string word; stream >> word;) {
+    if (!lines.empty() && canvas.text_width(lines.back() + " " + word, size) <= width) {
+      lines.back() += " " + word;
+    } else {
+      lines.push_back(word);
+    }
+  }
+  return lines;
+}
+
 }  // namespace
 
 void draw_score_board(Canvas& canvas, const GameRun& run, Rect area, const View& view) {
@@ -83,20 +99,30 @@ void draw_score_board(Canvas& canvas, const GameRun& run, Rect area, const View&
     canvas.text({area.x + 28, area.y + 48}, facts, palette::exact, Align::left, size);
   }
   draw_keys(canvas, area, view);
-  if (score.lost && !view.help) {
-    const Point middle{area.x + area.width / 2, area.y + 190};
-    const float half = std::min(210.0f, area.width / 2 - 8);
-    const Rect plate{middle.x - half, middle.y - 22, 2 * half, 92};
-    draw_rect(canvas, plate, palette::paper.faded(0.92));
-    draw_frame(canvas, plate, palette::ink, 1.5f);
-    const std::string count = std::to_string(score.hits) + (score.hits == 1 ? " hit" : " hits");
-    canvas.text(middle,
-                "Lost after " + count +
-                    (score.hits == score.best && score.hits > 0 ? ": your best so far" : ""),
-                palette::ink, Align::centre, TextSize::title);
-    canvas.text({middle.x, middle.y + 32}, "Space or R: play again", palette::ink, Align::centre,
-                TextSize::normal);
-  }
+}
+
+void draw_loss(Canvas& canvas, const GameRun& run, const LossAgain& again, Rect area) {
+  const Score& score = run.round().score;
+  const bool narrow = area.width < 700;  // a phone: then there is no place beside the scene
+  const float width = narrow ? area.width - 16 : 330;
+  const std::vector<std::string> lines =
+      in_lines(canvas, again.is_on() ? again.sentence() : "", TextSize::normal, width - 32);
+  const Rect plate{area.x + (narrow ? 8.0f : 24.0f), area.y + 96, width,
+                   116 + 24 * static_cast<float>(lines.size())};
+  draw_rect(canvas, plate, palette::paper.faded(0.92));
+  draw_frame(canvas, plate, palette::ink, 1.5f);
+  float y = plate.y + 14;
+  const auto line = [&](const std::string& words, Colour colour, TextSize size, float height) {
+    canvas.text({plate.x + 16, y}, words, colour, Align::left, size);
+    y += height;
+  };
+  const std::string count = std::to_string(score.hits) + (score.hits == 1 ? " hit" : " hits");
+  const bool is_best = score.hits == score.best && score.hits > 0;
+  line("Lost after " + count + (is_best ? ": your best" : ""), palette::ink, TextSize::title, 34);
+  for (const std::string& words : lines) line(words, palette::ink, TextSize::normal, 24);
+  y += 8;
+  if (again.is_on()) line("again, at a quarter of the speed", palette::exact, TextSize::tick, 24);
+  line("any key: play on", palette::ink, TextSize::normal, 24);
 }
 
 void draw_blind_history(Canvas& canvas, const GameRun& run, const Playback& playback, Rect area) {
