@@ -68,8 +68,12 @@ struct Controls {
   bool left = false, right = false, up = false, down = false;  // arrow keys
   bool a = false, d = false, w = false, s = false;
   bool less = false, more = false;  // minus and plus, when they go down
+  bool next = false;                // the key of the modes went down
   bool any = false;                 // a key or button went down that does nothing else
   double seconds = 0;               // since the last frame
+
+  /// What happened in the last frame is over; what is held down stays.
+  void begin_frame() { mouse_moved = less = more = next = any = false; }
 };
 
 /// The last sound that a demo makes: how many there have been, and how hard the ball was hit [m/s].

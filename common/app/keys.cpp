@@ -34,6 +34,9 @@ bool press(char key, const Demo& demo, Playback& playback, View& view, Controls&
     case 'm':
       view.muted = !view.muted;
       return true;
+    case 'g':
+      controls.next = is_game(demo);
+      return controls.next;
     case '-':
       controls.less = true;
       return true;

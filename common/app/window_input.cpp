@@ -88,7 +88,7 @@ void Window::play_game(double real_seconds) {
   controls_.s = keys[SDL_SCANCODE_S] != 0;
   controls_.seconds = real_seconds;
   demo_.control(playback_, view_, controls_);
-  controls_.mouse_moved = controls_.less = controls_.more = controls_.any = false;
+  controls_.begin_frame();
 }
 
 }  // namespace bounce

@@ -77,7 +77,7 @@ EMSCRIPTEN_KEEPALIVE void page_move(double seconds) {
   if (is_game(p.demo)) {
     p.controls.seconds = seconds;
     p.demo.control(p.playback, p.view, p.controls);
-    p.controls.mouse_moved = p.controls.less = p.controls.more = p.controls.any = false;
+    p.controls.begin_frame();
   }
   if (!p.held.is_held()) p.playback.frame(seconds);
   if (p.demo.is_over && p.demo.is_over(p.playback)) p.playback.restart();

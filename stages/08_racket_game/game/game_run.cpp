@@ -30,6 +30,7 @@ Traits GameRun::traits() const {
       std::max({1.0, dt() / longest_contact_piece(settings_.racket), dt() / longest_step});
   all.summary = "player=" + player + " hits=" + std::to_string(round_.score.hits) +
                 " lost=" + (round_.score.lost ? "yes" : "no");
+  if (settings_.counts_points()) all.summary += " points=" + std::to_string(round_.points.total);
   if (settings_.player != PlayerKind::human) all.command = " --player " + player;
   all.saved_options = {{"player", player}};
   return all;
@@ -62,7 +63,9 @@ void GameRun::reset_state() {
   }
   settings_.seed = seed();
   const int next = round_.number + (round_.score.lost ? 1 : 0);
+  const int best_points = round_.points.best;
   round_ = begin_round(settings_, next, round_.score.best);
+  round_.points.best = best_points;
   more_pieces_ = 0;
   next_entry_ = 0;
   if (record_) note_settings();
@@ -126,6 +129,12 @@ void GameRun::want(Input input) {
   give(input);
 }
 
+void GameRun::use_next_mode() {
+  const std::vector<Parameter> all = parameters();
+  const Choice& mode = std::get<Choice>(find_parameter(all, "mode").value);
+  mode.select((mode.selected() + 1) % mode.names.size());
+}
+
 void GameRun::give(const Input& input) {
   take_input(round_, input);
   if (record_) record_->note(round_.steps, input);
@@ -172,6 +181,7 @@ void GameRun::remembered(Self& self, Visit& visit) {
   visit.whole("seed", self.settings_.seed, 0, 1'000'000'000'000'000);
   visit.whole("next_entry", self.next_entry_, 0, 1'000'000'000'000'000);
   Round::remembered(self.round_, visit);
+  if (self.settings_.counts_points()) Points::remembered(self.round_.points, visit);
 }
 
 std::vector<double> GameRun::numbers() const {

@@ -34,7 +34,10 @@ class GameRun final : public Simulation {
 
   // ---- How it is played
   void play_as(PlayerKind player) { settings_.player = player; }
-  void keep_best(int best) { round_.score.best = std::max(round_.score.best, best); }
+  /// The best points that are known, of this mode with this assist.
+  void use_best(int best) { round_.points.best = std::max(best, round_.points.total); }
+  /// The next of the three modes; the next round, which must be begun, is in it.
+  void use_next_mode();
   void set_assist(double percent) { settings_.assist = std::clamp(percent, 0.0, 100.0); }
   /// A human's input, once a frame.
   void want(Input input);

@@ -174,6 +174,7 @@ std::string to_sentence(const Loss& loss) {
     case Loss::no_swing:
       return "No swing: the racket stood still at the touch. " + back;
     case Loss::elsewhere:
+      if (loss.missed == 0) return "The swing was right, but the ball came too slowly. " + back;
       return "The hit was good, but the disc was elsewhere. " + back;
   }
   return "";

@@ -110,6 +110,54 @@ void draw_landing(Canvas& canvas, const Camera& camera, const Court& court) {
   }
 }
 
+void draw_goal(Canvas& canvas, const Camera& camera, const Court& court) {
+  const Settings& settings = court.game->settings();
+  const Vector3d home = court.home;
+  if (settings.mode == Settings::keep_up) {
+    const auto corner = [&](double x, double up) -> Vector3d { return home + Vector3d(x, up, 0); };
+    constexpr double half = 0.5, low = rules::band_low, high = rules::band_high;  // m
+    const std::array<Vector3d, 4> band{corner(-half, low), corner(half, low), corner(half, high),
+                                       corner(-half, high)};
+    draw_patch(canvas, camera, band, palette::spring.faded(0.10));
+    for (const double edge : {low, high}) {
+      const std::array<Vector3d, 2> line{corner(-half, edge), corner(half, edge)};
+      draw_dashed_path(canvas, camera, line, palette::spring.faded(0.6), 1);
+    }
+    if (const Vector3d side = corner(half, low); camera.sees(side)) {
+      draw_label(canvas, {camera.at(side).x + 8, camera.at(side).y - 20}, "a top here: + 1",
+                 palette::spring);
+    }
+  }
+  if (settings.mode == Settings::target) {
+    const Round& round = court.game->round();
+    Vector3d middle = aim_after(round.score.hits, settings, round);
+    middle.y() += 0.006;
+    for (const double radius : {0.1, 0.2, 0.35}) {
+      draw_path(canvas, camera, circle(middle, Vector3d::UnitY(), radius, 48), palette::spring,
+                radius < 0.15 ? 3.0f : 1.5f);
+    }
+    if (camera.sees(middle)) {
+      draw_label(canvas, {camera.at(middle).x + 8, camera.at(middle).y - 8}, "send it here",
+                 palette::spring);
+    }
+  }
+}
+
+void draw_beat(Canvas& canvas, Point centre, double phase, double flash) {
+  constexpr float radius = 54;
+  if (flash > 0) canvas.disc(centre, radius, palette::spring.faded(0.7 * flash));
+  canvas.circle(centre, radius, palette::ink, 2);
+  const std::array<Point, 2> top{Point{centre.x, centre.y - radius - 10},
+                                 Point{centre.x, centre.y - radius + 10}};
+  canvas.line(top, palette::ink, 4);
+  const auto angle = static_cast<float>(2 * std::numbers::pi * phase);
+  const Point tip{centre.x + radius * std::sin(angle), centre.y - radius * std::cos(angle)};
+  const std::array<Point, 2> hand{centre, tip};
+  canvas.line(hand, palette::spring, 4);
+  canvas.text({centre.x, centre.y + radius + 10}, "swing when it is up", palette::ink,
+              Align::centre, TextSize::normal);
+}
+
 void draw_game_trail(Canvas& canvas, const Camera& camera, std::span<const TrailPoint> trail) {
   for (std::size_t i = 0; i + 4 < trail.size(); i += 4) {
     const std::array<Vector3d, 2> piece{trail[i].place, trail[i + 4].place};

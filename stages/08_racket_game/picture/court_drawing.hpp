@@ -32,6 +32,13 @@ void draw_disc_shadow(Canvas& canvas, const Camera& camera, const Disc& disc, do
 /// Where the ball will come down to the racket's height: a cross, and a ring that closes.
 void draw_landing(Canvas& canvas, const Camera& camera, const Court& court);
 
+/// What counts, by the mode: the band of tops, or the ring where the ball shall land.
+void draw_goal(Canvas& canvas, const Camera& camera, const Court& court);
+
+/// Blind: a hand that goes round once a beat, and is at the top when it is time to swing. `flash`
+/// from 0 to 1: the beat has just been.
+void draw_beat(Canvas& canvas, Point centre, double phase, double flash);
+
 /// Where the ball has just been, the latest place first.
 struct TrailPoint {
   double age;  // s

@@ -31,6 +31,18 @@ double flash(const Court& court, const View& view) {
   return std::clamp(1 - (round.clock - round.touch_clock) / flash_lasts, 0.0, 1.0);
 }
 
+/// The touches, and blind the beats between them, which sound softer.
+Knock last_sound(const GameRun& game) {
+  constexpr double soft = 1.5;  // m/s
+  const Round& round = game.round();
+  if (!game.settings().on_beat() || round.score.lost) return {round.touches, round.touch_speed};
+  const Beat beat = beat_of(game.settings());
+  const int beats = beat.count(round.clock);
+  const double last = beat.first + (beats - 1) * beat.period;
+  const bool is_beat = beats > 0 && last > round.touch_clock;
+  return {round.touches + beats, is_beat ? soft : round.touch_speed};
+}
+
 }  // namespace
 
 Camera GameView::camera_for(const Court& court, double t) {
@@ -61,16 +73,19 @@ void GameView::draw_scene(Canvas& canvas, const Court& court, double t,
   const Disc disc = court.racket.disc;
   const double radius = court.racket.radius;
 
+  const bool unseen = court.game && court.game->settings().on_beat() && !again_.is_on();
   if (court.game) {
     const double height = court.game->floor_height();
     const Plane floor{Vector3d::UnitY(), -height};
     draw_floor(canvas, camera, floor, focus_);
     draw_disc_shadow(canvas, camera, disc, height);
-    draw_shadow(canvas, camera, floor, ball, radius);
+    if (!unseen) draw_shadow(canvas, camera, floor, ball, radius);
   }
   // No depth buffer: what is on the far side of the disc is drawn first.
   const Vector3d eye = focus_ + Vector3d(0, camera_height, camera_distance);
   const bool from_front = disc.height(eye) > 0;
+  const double glow = again_.is_on() ? 0 : flash(court, view);
+  if (unseen) return draw_disc(canvas, camera, disc, from_front, glow);
   const bool ball_behind = (disc.height(ball) > 0) != from_front;
   const NearestPoint nearest = court.racket.nearest(disc, ball);
   const auto draw_ball = [&] {
@@ -78,10 +93,12 @@ void GameView::draw_scene(Canvas& canvas, const Court& court, double t,
     draw_flattened_ball(canvas, camera, ball, radius, nearest);
   };
   if (ball_behind) draw_ball();
-  const double glow = again_.is_on() ? 0 : flash(court, view);
   draw_disc(canvas, camera, disc, from_front, glow);
   if (!ball_behind && disc.normal.y() > 0 && disc.outwards(ball).norm() < disc.radius) {
     draw_shadow(canvas, camera, {disc.normal, -disc.normal.dot(disc.centre)}, ball, radius);
+  }
+  if (court.game && !again_.is_on() && court.game->settings().counts_points()) {
+    draw_goal(canvas, camera, court);
   }
   draw_landing(canvas, camera, court);
   if (glow > 0 && camera.sees(court.game->round().touch_place)) {
@@ -130,6 +147,11 @@ void GameView::draw(Canvas& canvas, const Playback& playback, const View& view) 
   if (game) {
     const bool blind = game->settings().player == PlayerKind::blind;
     if (blind) draw_blind_history(canvas, *game, playback, area_);
+    if (game->settings().on_beat() && !again_.is_on()) {
+      const double phase = beat_of(game->settings()).phase(playback.shown_time());
+      draw_beat(canvas, {area_.x + area_.width / 2, area_.y + 200}, phase,
+                view.calm ? 0 : std::max(0.0, 1 - phase / 0.15));
+    }
     draw_score_board(canvas, *game, area_, view);
     if (game->round().score.lost && !view.help) draw_loss(canvas, *game, again_, area_);
   }
@@ -150,7 +172,7 @@ std::shared_ptr<GameView> use_game_view(Demo& demo) {
   };
   demo.knock = [](const Playback& playback) {
     const GameRun* game = run_if<GameRun>(playback.simulation());
-    return game ? Knock{game->round().touches, game->round().touch_speed} : Knock{};
+    return game ? last_sound(*game) : Knock{};
   };
   demo.is_over = [](const Playback& playback) {  // a machine that has lost serves again
     const GameRun* game = run_if<GameRun>(playback.simulation());
