@@ -22,6 +22,7 @@ struct View {
   bool chart = false;                 // speed against error
   bool calm = false;                  // nothing that flashes
   bool muted = false;                 // no sound
+  bool dark = false;                  // a game's picture; a page has a switch of its own
   bool from_above = false;            // in space: the camera looks straight down
   std::string tilt_keys = "A D W S";  // what is printed on the keys in these places
   Rect whole{0, 0, 1280, 720};        // the picture of a demo without a panel

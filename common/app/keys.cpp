@@ -37,6 +37,9 @@ bool press(char key, const Demo& demo, Playback& playback, View& view, Controls&
     case 'g':
       controls.next = is_game(demo);
       return controls.next;
+    case 'n':
+      view.dark = is_game(demo) && !view.dark;
+      return is_game(demo);
     case '-':
       controls.less = true;
       return true;

@@ -94,8 +94,9 @@ void Window::sound() {
 }
 
 void Window::draw() {
-  SDL_SetRenderDrawColor(renderer_, palette::paper.red, palette::paper.green, palette::paper.blue,
-                         255);
+  canvas_.dark = view_.dark;
+  const Colour paper = view_.dark ? palette::darkened(palette::paper) : palette::paper;
+  SDL_SetRenderDrawColor(renderer_, paper.red, paper.green, paper.blue, 255);
   SDL_RenderClear(renderer_);
   SDL_SetRenderDrawBlendMode(renderer_, SDL_BLENDMODE_BLEND);
   backend_->begin_frame(layout::width, layout::height);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "08_racket_game/game/round_step.hpp"
 #include "08_racket_game/run/racket_steps.hpp"
 #include "physics/events/event_driven.hpp"
 #include "physics/remembered.hpp"

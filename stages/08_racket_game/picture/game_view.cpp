@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "08_racket_game/picture/court_drawing.hpp"
+#include "08_racket_game/picture/marks.hpp"
 #include "08_racket_game/picture/score_board.hpp"
 #include "app/drawing.hpp"
 #include "app/layout.hpp"
@@ -77,7 +78,8 @@ void GameView::draw_scene(Canvas& canvas, const Court& court, double t,
   if (court.game) {
     const double height = court.game->floor_height();
     const Plane floor{Vector3d::UnitY(), -height};
-    draw_floor(canvas, camera, floor, focus_);
+    draw_sky(canvas, camera, area_, height);
+    draw_floor(canvas, camera, height, focus_);
     draw_disc_shadow(canvas, camera, disc, height);
     if (!unseen) draw_shadow(canvas, camera, floor, ball, radius);
   }
@@ -103,7 +105,7 @@ void GameView::draw_scene(Canvas& canvas, const Court& court, double t,
   draw_landing(canvas, camera, court);
   if (glow > 0 && camera.sees(court.game->round().touch_place)) {
     canvas.circle(camera.at(court.game->round().touch_place), static_cast<float>(40 - 28 * glow),
-                  palette::spring.faded(glow), 2.5f);
+                  accent.faded(glow), 2.5f);
   }
   if (!ball_behind) draw_ball();
   if (again_.is_on()) draw_arrows(canvas, camera, court, again_.now(), again_.touch());

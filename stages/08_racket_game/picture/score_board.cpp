@@ -46,7 +46,7 @@ void draw_keys(Canvas& canvas, Rect area, const View& view) {
        {"P", "pause;  . and ,  one step forward and back"},
        {"O, L", "slow motion; a contact that lasts a second"},
        {"R", "restart"},
-       {"M", "sound on and off"},
+       {"M, N", "sound on and off; dark and light"},
        {"F12", "save a picture"},
        {"F1, Esc", "this page; quit"}}};
   const Rect page{area.width / 2 - 290, 130, 580, 352};
@@ -92,7 +92,7 @@ void draw_score_board(Canvas& canvas, const GameRun& run, Rect area, const View&
                palette::ink, TextSize::title);
   if (points) on_the_right(152, hits_in_words(round), palette::exact, TextSize::normal);
   if (points && round.clock - round.points.clock < 0.8) {  // s
-    on_the_right(182, "+ " + std::to_string(round.points.last), palette::spring, TextSize::title);
+    on_the_right(182, "+ " + std::to_string(round.points.last), accent, TextSize::title);
   }
 
   canvas.text({area.x + 28, area.y + 20}, run.is_replay() ? "a replay" : title_of(settings),
