@@ -71,7 +71,12 @@ struct Controls {
   bool less = false, more = false;  // minus and plus, when they go down
   bool next = false;                // the key of the modes went down
   bool any = false;                 // a key or button went down that does nothing else
-  double seconds = 0;               // since the last frame
+  // A game controller's sticks, from -1 to 1, and its buttons; a tap or a second finger.
+  double move_x = 0, move_z = 0, tilt_x = 0, tilt_z = 0;
+  bool pad_swing = false, touch_swing = false;
+  double seconds = 0;  // since the last frame
+
+  bool swings() const { return space || button || pad_swing || touch_swing; }
 
   /// What happened in the last frame is over; what is held down stays.
   void begin_frame() { mouse_moved = less = more = next = any = false; }
@@ -108,6 +113,7 @@ struct Demo {
   /// nothing when it was not asked for; may be empty.
   std::function<std::optional<int>(Simulation&, const Options&)> other_work;
   std::function<void()> at_end;  // after a run that went well; may be empty
+  std::string keys;              // a game's file of keys (key_map.hpp); empty: the player's own
   bool bare = false;             // the picture alone: no panel, no plots
   /// For a game: called once a frame, before time moves. Space and the arrows are the game's then.
   std::function<void(Playback&, const View&, const Controls&)> control;

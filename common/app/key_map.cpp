@@ -1,17 +1,15 @@
 #include "app/key_map.hpp"
 
 #include <filesystem>
+#include <vector>
 
 #include "app/kept_number.hpp"
-#include "physics/text.hpp"
 #include "run/input_file.hpp"
 
 namespace bounce {
 namespace {
 
-SDL_Scancode key_named(const InputFile& file, std::string name) {
-  const auto begin = name.find_first_not_of(" \t"), end = name.find_last_not_of(" \t\r");
-  name = begin == std::string::npos ? "" : name.substr(begin, end - begin + 1);
+SDL_Scancode key_named(const InputFile& file, const std::string& name) {
   const SDL_Scancode key = SDL_GetScancodeFromName(name.c_str());
   if (key == SDL_SCANCODE_UNKNOWN) {
     file.refuse_line("there is no key '" + name.substr(0, 40) + "'");
@@ -29,12 +27,11 @@ std::string KeyMap::usual_path() {
 void KeyMap::read(const std::string& path) {
   InputFile file("--keys", path, "it must be a text file with lines such as 'J = A'");
   while (file.next_line()) {
-    const std::string line = file.line().substr(0, file.line().find('#'));
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    const std::size_t equals = line.find('=');
-    if (equals == std::string::npos) file.refuse_line("it has no '='");
-    const SDL_Scancode key = key_named(file, line.substr(0, equals));
-    other_[key] = key_named(file, line.substr(equals + 1));
+    if (file.line().empty() || file.line()[0] == '#') continue;
+    const std::vector<std::string> words = file.words('=');
+    if (words.size() != 2) file.refuse_line("it must be two keys and a '='");
+    const SDL_Scancode key = key_named(file, words[0]);
+    other_[key] = key_named(file, words[1]);
   }
 }
 
@@ -44,6 +41,13 @@ SDL_Keysym KeyMap::meaning_of(SDL_Keysym pressed) const {
   pressed.scancode = found->second;
   pressed.sym = SDL_GetKeyFromScancode(found->second);
   return pressed;
+}
+
+SDL_Scancode KeyMap::key_for(SDL_Scancode wanted) const {
+  for (const auto& [key, meaning] : other_) {
+    if (meaning == wanted) return key;
+  }
+  return wanted;
 }
 
 bool KeyMap::is_down(const Uint8* keys, SDL_Scancode wanted) const {

@@ -51,6 +51,7 @@ Window::Window(const Demo& demo, std::unique_ptr<Simulation> simulation, const O
   panel_ = std::make_unique<Panel>(demo_, seen);
   view_.trail = !options.calm;
   view_.calm = options.calm;
+  if (is_game(demo_) && seen) begin_game();
   read_keyboard_layout();
   view_.from_above = options.from_above && demo_.in_space;
   if (!seen) playback_.budget = std::numeric_limits<double>::infinity();
@@ -58,6 +59,7 @@ Window::Window(const Demo& demo, std::unique_ptr<Simulation> simulation, const O
 }
 
 Window::~Window() {
+  gamepad_.reset();
   sound_.reset();
   panel_.reset();
   backend_.reset();

@@ -32,7 +32,7 @@ Loss lose(const std::string& aside, const std::function<Input(const GameRun&)>& 
   REQUIRE(run.round().score.lost);
 
   again.repeat();
-  const std::vector<Moment> moments = watch_again(again);
+  const std::vector<Moment> moments = watch_again(again, run.round().lost_clock);
   // It is the same round, to the bit.
   CHECK(moments.back().ball.position == run.round().ball.position);
   CHECK(moments.back().touches == run.round().touches);

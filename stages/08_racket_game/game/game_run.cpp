@@ -134,6 +134,7 @@ void GameRun::use_next_mode() {
   const std::vector<Parameter> all = parameters();
   const Choice& mode = std::get<Choice>(find_parameter(all, "mode").value);
   mode.select((mode.selected() + 1) % mode.names.size());
+  round_.points.best = 0;  // that was of the mode before
 }
 
 void GameRun::give(const Input& input) {

@@ -66,9 +66,9 @@ Moment moment_of(const GameRun& run) {
           round.touches};
 }
 
-std::vector<Moment> watch_again(GameRun run) {
+std::vector<Moment> watch_again(GameRun run, double until) {
   std::vector<Moment> all{moment_of(run)};
-  while (!run.round().score.lost) {
+  while (!run.round().score.lost && run.round().clock < until + between_moments) {
     run.advance_one_step();
     if (run.round().clock - all.back().t > 0.9 * between_moments) all.push_back(moment_of(run));
   }

@@ -18,8 +18,10 @@ struct Moment {
 };
 Moment moment_of(const GameRun& run);
 
-/// The same steps again, to the end of the round: an earlier copy of a run comes to the same bits.
-std::vector<Moment> watch_again(GameRun run);
+/// The same steps again, to the end of the round, which came at `until` on its clock: an earlier
+/// copy of a run comes to the same bits. (If its time step was changed since, it may not, and ends
+/// there.)
+std::vector<Moment> watch_again(GameRun run, double until);
 
 /// Between two moments.
 Moment between(const Moment& a, const Moment& b, double t);

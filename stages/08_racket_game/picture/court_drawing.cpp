@@ -102,7 +102,7 @@ void draw_floor(Canvas& canvas, const Camera& camera, double floor, const Vector
 void draw_disc(Canvas& canvas, const Camera& camera, const Disc& disc, bool from_front,
                double glow) {
   const std::vector<Vector3d> edge = circle(disc.centre, disc.normal, disc.radius);
-  const Colour fill = mixed(from_front ? face : back, accent, 0.5 * glow);
+  const Colour fill = mixed(from_front ? face : back, accent, 0.35 * glow);
   draw_patch(canvas, camera, edge, {fill.red, fill.green, fill.blue, 235});
   const auto inner = circle(disc.centre, disc.normal, disc.radius / 2, 48);
   draw_path(canvas, camera, inner, rim.faded(0.4), 1);

@@ -31,7 +31,8 @@ class Hands {
       playback.restart();
       return;
     }
-    if (!run.is_recorded() && !run.is_replay()) {
+    const bool human = run.settings().player == PlayerKind::human;
+    if (human && !run.is_recorded() && !run.is_replay()) {
       run.record(std::make_shared<InputLog>());  // to see a loss again
     }
 
@@ -43,17 +44,17 @@ class Hands {
       }
     }
     const double reach = walking_speed * std::min(controls.seconds, 0.1);
-    aim_.x += reach * (controls.right - controls.left);
-    aim_.z += reach * (controls.down - controls.up);
+    aim_.x += reach * (controls.right - controls.left + controls.move_x);
+    aim_.z += reach * (controls.down - controls.up + controls.move_z);
     aim_.x = std::clamp(aim_.x, -rules::court, rules::court);
     aim_.z = std::clamp(aim_.z, -rules::court, rules::court);
 
     Input input;
     input.x = home.x() + aim_.x;
     input.z = home.z() + aim_.z;
-    input.tilt_x = controls.d - controls.a;
-    input.tilt_z = controls.s - controls.w;
-    input.swing = controls.space || controls.button ? 1 : 0;
+    input.tilt_x = controls.d - controls.a + controls.tilt_x;
+    input.tilt_z = controls.s - controls.w + controls.tilt_z;
+    input.swing = controls.swings() ? 1 : 0;
     run.want(input);
   }
 

@@ -32,7 +32,7 @@ void LossAgain::make(const Playback& playback, const GameRun& game) {
   if (past == nullptr) return;
   GameRun again = run_as<GameRun>(*past);
   again.repeat();
-  moments_ = watch_again(std::move(again));
+  moments_ = watch_again(std::move(again), lost_);
   sentence_ = to_sentence(loss_of(moments_, swing_speed(game.gravity()), game.gravity()));
   begin_ = std::max(moments_.front().t, lost_ - lasts);
 }

@@ -37,7 +37,7 @@ void draw_keys(Canvas& canvas, Rect area, const View& view) {
                TextSize::normal);
     return;
   }
-  const std::array<std::array<std::string, 2>, 11> keys{
+  const std::array<std::array<std::string, 2>, 14> keys{
       {{"mouse, arrows", "move the racket"},
        {view.tilt_keys, "tilt it: left, right, away, towards you"},
        {"Space, button", "swing upwards; after a loss any key plays on"},
@@ -48,8 +48,11 @@ void draw_keys(Canvas& canvas, Rect area, const View& view) {
        {"R", "restart"},
        {"M, N", "sound on and off; dark and light"},
        {"F12", "save a picture"},
+       {"controller", "sticks move and tilt; A or a trigger swings; Back: next mode"},
+       {"fingers", "one moves; a tap or a second one swings"},
+       {"--keys FILE", "other keys: a line 'J = A' lets J do what A does"},
        {"F1, Esc", "this page; quit"}}};
-  const Rect page{area.width / 2 - 290, 130, 580, 352};
+  const Rect page{area.width / 2 - 300, 110, 600, 440};
   draw_rect(canvas, page, palette::paper.faded(0.95));
   draw_frame(canvas, page, palette::ink, 1);
   float y = page.y + 20;
