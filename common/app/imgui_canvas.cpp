@@ -111,7 +111,7 @@ ImU32 ImGuiCanvas::ink(Colour colour) const {
 /// and so does a shadow.
 ImU32 ImGuiCanvas::filling(Colour c) const {
   const auto [low, high] = std::minmax({c.red, c.green, c.blue});
-  const bool stays = high == 0 || (c.blue >= c.red && c.blue > 90 && high - low < 16);
+  const bool stays = high == 0 || (c.blue >= c.red && c.blue > 90 && high - low <= 20);
   return stays ? to_imgui(c) : ink(c);
 }
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <sstream>
 #include <vector>
 
 #include "app/drawing.hpp"
@@ -67,13 +66,15 @@ void draw_keys(Canvas& canvas, Rect area, const View& view) {
 std::vector<std::string> in_lines(const Canvas& canvas, const std::string& words, TextSize size,
                                   float width) {
   std::vector<std::string> lines;
-  std::istringstream stream(words);
-  for (std::string word; stream >> word;) {
+  for (std::size_t begin = 0; begin < words.size();) {
+    const std::size_t end = std::min(words.find(' ', begin), words.size());
+    const std::string word = words.substr(begin, end - begin);
     if (!lines.empty() && canvas.text_width(lines.back() + " " + word, size) <= width) {
       lines.back() += " " + word;
     } else {
       lines.push_back(word);
     }
+    begin = end + 1;
   }
   return lines;
 }
