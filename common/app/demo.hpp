@@ -22,6 +22,7 @@ struct View {
   bool chart = false;                    // speed against error
   bool calm = false;                     // nothing that flashes
   bool muted = false;                    // no sound
+  bool dark = false;                     // a game's picture; a page has a switch of its own
   bool survey = false, section = false;  // always, and not only while a slider moves
   bool narrow = false;                   // a phone: the plots are below each other
   bool from_above = false;               // in space: the camera looks straight down
@@ -81,7 +82,17 @@ struct Controls {
   bool left = false, right = false, up = false, down = false;  // arrow keys
   bool a = false, d = false, w = false, s = false;
   bool less = false, more = false;  // minus and plus, when they go down
-  double seconds = 0;               // since the last frame
+  bool next = false;                // the key of the modes went down
+  bool any = false;                 // a key or button went down that does nothing else
+  // A game controller's sticks, from -1 to 1, and its buttons; a tap or a second finger.
+  double move_x = 0, move_z = 0, tilt_x = 0, tilt_z = 0;
+  bool pad_swing = false, touch_swing = false;
+  double seconds = 0;  // since the last frame
+
+  bool swings() const { return space || button || pad_swing || touch_swing; }
+
+  /// What happened in the last frame is over; what is held down stays.
+  void begin_frame() { mouse_moved = less = more = next = any = false; }
 };
 
 /// The last sound that a demo makes: how many there have been, and how hard the ball was hit [m/s].
@@ -116,6 +127,7 @@ struct Demo {
   /// nothing when it was not asked for; may be empty.
   std::function<std::optional<int>(Simulation&, const Options&)> other_work;
   std::function<void()> at_end;  // after a run that went well; may be empty
+  std::string keys;              // a game's file of keys (key_map.hpp); empty: the player's own
   bool bare = false;             // the picture alone: no panel, no plots
   /// For a game: called once a frame, before time moves. Space and the arrows are the game's then.
   std::function<void(Playback&, const View&, const Controls&)> control;

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
+
+#include "app/palette.hpp"
 
 namespace bounce {
 namespace {
@@ -23,6 +25,19 @@ std::vector<ImVec2> to_imgui(std::span<const Point> points) {
 ImDrawList& list() { return *ImGui::GetBackgroundDrawList(); }
 
 int segments(float radius) { return std::max(16, static_cast<int>(4 * std::sqrt(8 * radius))); }
+
+/// The rectangle that these four corners are, in the order of draw_rect, if it is one of whole
+/// pixels.
+std::optional<Rect> whole_pixels(std::span<const Point> p) {
+  if (p.size() != 4 || p[0].y != p[1].y || p[1].x != p[2].x || p[2].y != p[3].y ||
+      p[3].x != p[0].x) {
+    return std::nullopt;
+  }
+  for (const Point corner : p) {
+    if (corner.x != std::round(corner.x) || corner.y != std::round(corner.y)) return std::nullopt;
+  }
+  return Rect{p[0].x, p[0].y, p[2].x - p[0].x, p[2].y - p[0].y};
+}
 
 /// A ball lit from the upper left, with an outline and smooth edges, as `size` x `size` pixels of
 /// red, green, blue, alpha with rows `stride` pixels apart.
@@ -88,23 +103,39 @@ void ImGuiCanvas::load_fonts_into(ImFontAtlas& atlas) {
   fonts_.fill(atlas.AddFontDefault());
 }
 
+ImU32 ImGuiCanvas::ink(Colour colour) const {
+  return to_imgui(dark ? palette::darkened(colour) : colour);
+}
+
+/// A ball is lit in the dark, too: what is filled with its white and bluish grey stays as it is,
+/// and so does a shadow.
+ImU32 ImGuiCanvas::filling(Colour c) const {
+  const auto [low, high] = std::minmax({c.red, c.green, c.blue});
+  const bool stays = high == 0 || (c.blue >= c.red && c.blue > 90 && high - low <= 20);
+  return stays ? to_imgui(c) : ink(c);
+}
+
 void ImGuiCanvas::line(std::span<const Point> points, Colour colour, float width) {
   if (points.size() < 2) return;
   const std::vector<ImVec2> path = to_imgui(points);
-  list().AddPolyline(path.data(), static_cast<int>(path.size()), to_imgui(colour), 0, width);
+  list().AddPolyline(path.data(), static_cast<int>(path.size()), ink(colour), 0, width);
 }
 
 void ImGuiCanvas::fill(std::span<const Point> convex, Colour colour) {
+  if (const auto box = whole_pixels(convex)) {  // sharp, and SDL's software renderer is quick
+    list().AddRectFilled({box->x, box->y}, {box->right(), box->bottom()}, filling(colour));
+    return;
+  }
   const std::vector<ImVec2> path = to_imgui(convex);
-  list().AddConvexPolyFilled(path.data(), static_cast<int>(path.size()), to_imgui(colour));
+  list().AddConvexPolyFilled(path.data(), static_cast<int>(path.size()), filling(colour));
 }
 
 void ImGuiCanvas::circle(Point centre, float radius, Colour colour, float width) {
-  list().AddCircle(to_imgui(centre), radius, to_imgui(colour), segments(radius), width);
+  list().AddCircle(to_imgui(centre), radius, ink(colour), segments(radius), width);
 }
 
 void ImGuiCanvas::disc(Point centre, float radius, Colour colour) {
-  list().AddCircleFilled(to_imgui(centre), radius, to_imgui(colour), segments(radius));
+  list().AddCircleFilled(to_imgui(centre), radius, filling(colour), segments(radius));
 }
 
 void ImGuiCanvas::ball(Point centre, float radius, Colour tint) {
@@ -127,8 +158,8 @@ void ImGuiCanvas::text(Point at, std::string_view words, Colour colour, Align al
                   : align == Align::right ? at.x - width
                                           : at.x - width / 2;
   ImFont* font = fonts_[static_cast<std::size_t>(size)];
-  list().AddText(font, font->FontSize, {std::round(x), std::round(at.y)}, to_imgui(colour),
-                 words.data(), words.data() + words.size());
+  list().AddText(font, font->FontSize, {std::round(x), std::round(at.y)}, ink(colour), words.data(),
+                 words.data() + words.size());
 }
 
 float ImGuiCanvas::text_width(std::string_view words, TextSize size) const {
@@ -141,84 +172,5 @@ void ImGuiCanvas::push_clip(Rect area) {
 }
 
 void ImGuiCanvas::pop_clip() { list().PopClipRect(); }
-
-ImGuiBackend::ImGuiBackend(SDL_Renderer* renderer) : renderer_(renderer) {
-  ImGui::CreateContext();
-  ImGuiIO& io = ImGui::GetIO();
-  io.IniFilename = nullptr;  // or it leaves an imgui.ini in the working folder
-  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-}
-
-ImGuiBackend::~ImGuiBackend() {
-  if (font_ != nullptr) SDL_DestroyTexture(font_);
-  ImGui::DestroyContext();
-}
-
-void ImGuiBackend::upload_fonts() {
-  unsigned char* pixels = nullptr;
-  int width = 0, height = 0;
-  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-  atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
-  font_ = SDL_CreateTexture(renderer_, SDL_PIXELFORMAT_ABGR8888, SDL_TEXTUREACCESS_STATIC, width,
-                            height);
-  SDL_UpdateTexture(font_, nullptr, pixels, 4 * width);
-  SDL_SetTextureBlendMode(font_, SDL_BLENDMODE_BLEND);
-  atlas.SetTexID(reinterpret_cast<ImTextureID>(font_));
-}
-
-void ImGuiBackend::event(const SDL_Event& event) {
-  ImGuiIO& io = ImGui::GetIO();
-  switch (event.type) {
-    case SDL_MOUSEMOTION:
-      io.MousePos = {static_cast<float>(event.motion.x), static_cast<float>(event.motion.y)};
-      break;
-    case SDL_MOUSEWHEEL:
-      io.MouseWheel += static_cast<float>(event.wheel.y);
-      break;
-    case SDL_MOUSEBUTTONDOWN:
-    case SDL_MOUSEBUTTONUP:
-      io.MousePos = {static_cast<float>(event.button.x), static_cast<float>(event.button.y)};
-      if (event.button.button == SDL_BUTTON_LEFT)
-        io.MouseDown[0] = event.type == SDL_MOUSEBUTTONDOWN;
-      break;
-    default:
-      break;
-  }
-}
-
-void ImGuiBackend::begin_frame(int width, int height) {
-  ImGuiIO& io = ImGui::GetIO();
-  io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
-  io.DeltaTime = 1.0f / 60;  // fixed: the same frames every time
-  ImGui::NewFrame();
-}
-
-void ImGuiBackend::end_frame() {
-  ImGui::Render();
-  const ImDrawData& data = *ImGui::GetDrawData();
-  for (int n = 0; n < data.CmdListsCount; ++n) {
-    const ImDrawList& commands = *data.CmdLists[n];
-    for (const ImDrawCmd& command : commands.CmdBuffer) {
-      const SDL_Rect clip{static_cast<int>(command.ClipRect.x),
-                          static_cast<int>(command.ClipRect.y),
-                          static_cast<int>(command.ClipRect.z - command.ClipRect.x),
-                          static_cast<int>(command.ClipRect.w - command.ClipRect.y)};
-      if (clip.w <= 0 || clip.h <= 0) continue;
-      SDL_RenderSetClipRect(renderer_, &clip);
-      const auto* vertices =
-          reinterpret_cast<const char*>(commands.VtxBuffer.Data + command.VtxOffset);
-      const auto at = [vertices](std::size_t offset) { return vertices + offset; };
-      SDL_RenderGeometryRaw(
-          renderer_, reinterpret_cast<SDL_Texture*>(command.GetTexID()),
-          reinterpret_cast<const float*>(at(offsetof(ImDrawVert, pos))), sizeof(ImDrawVert),
-          reinterpret_cast<const SDL_Color*>(at(offsetof(ImDrawVert, col))), sizeof(ImDrawVert),
-          reinterpret_cast<const float*>(at(offsetof(ImDrawVert, uv))), sizeof(ImDrawVert),
-          commands.VtxBuffer.Size - static_cast<int>(command.VtxOffset),
-          commands.IdxBuffer.Data + command.IdxOffset, static_cast<int>(command.ElemCount),
-          sizeof(ImDrawIdx));
-    }
-  }
-  SDL_RenderSetClipRect(renderer_, nullptr);
-}
 
 }  // namespace bounce

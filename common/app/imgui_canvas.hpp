@@ -26,7 +26,11 @@ class ImGuiCanvas final : public Canvas {
   void push_clip(Rect area) override;
   void pop_clip() override;
 
+  bool dark = false;  // light and dark change places
+
  private:
+  ImU32 ink(Colour colour) const;
+  ImU32 filling(Colour colour) const;
   void load_fonts_into(ImFontAtlas& atlas);
 
   std::array<ImFont*, 4> fonts_{};

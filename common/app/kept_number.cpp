@@ -23,6 +23,8 @@ std::filesystem::path data_folder() {
 
 }  // namespace
 
+std::string kept_folder() { return data_folder().string(); }
+
 int kept_number(const std::string& name) {
   int number = 0;
   std::ifstream file(data_folder() / (name + ".txt"));

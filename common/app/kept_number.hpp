@@ -7,6 +7,8 @@ namespace bounce {
 /// or in what a browser keeps for a page. 0 where there is none; where none can be kept, nothing
 /// is.
 int kept_number(const std::string& name);
+/// That folder; empty where there is none. (Not in a page.)
+std::string kept_folder();
 void keep_number(const std::string& name, int number);
 
 }  // namespace bounce

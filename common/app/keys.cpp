@@ -34,12 +34,16 @@ bool press(char key, const Demo& demo, Playback& playback, View& view, Controls&
     case 'b':
       view.survey = demo.survey.draw && !view.survey;
       return static_cast<bool>(demo.survey.draw);
-    case 'n':
+    case 'n':  // by night; or the section of the survey
+      view.dark = is_game(demo) && !view.dark;
       view.section = demo.survey.section && !view.section;
-      return static_cast<bool>(demo.survey.section);
+      return is_game(demo) || demo.survey.section;
     case 'm':
       view.muted = !view.muted;
       return true;
+    case 'g':
+      controls.next = is_game(demo);
+      return controls.next;
     case '-':
       controls.less = true;
       return true;

@@ -42,6 +42,8 @@ class Playback {
   void restart();
   void go_back_to(double t);  // to a moment that is still remembered
   double earliest() const;    // [s]
+  /// The run as it was at `t` or before, or as early as it is remembered; nullptr where it is not.
+  const Simulation* past(double t) const;
 
   /// Changes parameters, method or state in the middle of the run, or restarts when asked to.
   void change(const std::function<void(Simulation&)>& edit, bool start_anew = false);

@@ -50,6 +50,13 @@ double Playback::earliest() const {
   return past_.empty() ? simulation_->time() : past_.front()->time();
 }
 
+const Simulation* Playback::past(double t) const {
+  for (auto copy = past_.rbegin(); copy != past_.rend(); ++copy) {
+    if ((*copy)->time() <= t) return copy->get();
+  }
+  return past_.empty() ? nullptr : past_.front().get();
+}
+
 void Playback::go_back_to(double t) {
   trouble_.clear();
   refused_ = false;

@@ -151,7 +151,7 @@ void draw_shadow(Canvas& canvas, const Camera& camera, const Plane& plane, const
       const Vector3d out(std::cos(angle), 0, std::sin(angle));
       edge.push_back(below(plane, ball + size * radius * out));
     }
-    draw_patch(canvas, camera, edge, palette::ink.faded(darkness / 2));
+    draw_patch(canvas, camera, edge, palette::shadow.faded(0.85 * darkness / 2));
   }
 }
 
@@ -176,7 +176,7 @@ void draw_ball_in_space(Canvas& canvas, const Camera& camera, const Vector3d& ce
         {at.x - shift, at.y - shift}, size * (1 - 0.62f * share) - 0.5f,
         {mix(dark.red, light.red), mix(dark.green, light.green), mix(dark.blue, light.blue), 255});
   }
-  canvas.disc({at.x - 0.36f * size, at.y - 0.38f * size}, 0.14f * size, palette::paper);
+  canvas.disc({at.x - 0.36f * size, at.y - 0.38f * size}, 0.14f * size, {0xF8, 0xFA, 0xFC});
   canvas.circle(at, size, palette::ink, 1.5f);
 }
 

@@ -52,6 +52,7 @@ Window::Window(const Demo& demo, std::unique_ptr<Simulation> simulation, const O
   panel_ = std::make_unique<Panel>(demo_, seen);
   view_.trail = !options.calm;
   view_.calm = options.calm;
+  if (is_game(demo_) && seen) begin_game();
   read_keyboard_layout();
   view_.from_above = options.from_above && demo_.in_space;
   if (!seen) playback_.budget = std::numeric_limits<double>::infinity();
@@ -59,6 +60,7 @@ Window::Window(const Demo& demo, std::unique_ptr<Simulation> simulation, const O
 }
 
 Window::~Window() {
+  gamepad_.reset();
   sound_.reset();
   panel_.reset();
   backend_.reset();
@@ -95,8 +97,9 @@ void Window::sound() {
 }
 
 void Window::draw() {
-  SDL_SetRenderDrawColor(renderer_, palette::paper.red, palette::paper.green, palette::paper.blue,
-                         255);
+  canvas_.dark = view_.dark;
+  const Colour paper = view_.dark ? palette::darkened(palette::paper) : palette::paper;
+  SDL_SetRenderDrawColor(renderer_, paper.red, paper.green, paper.blue, 255);
   SDL_RenderClear(renderer_);
   SDL_SetRenderDrawBlendMode(renderer_, SDL_BLENDMODE_BLEND);
   backend_->begin_frame(layout::width, layout::height);

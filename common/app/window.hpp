@@ -4,7 +4,10 @@
 #include <memory>
 
 #include "app/demo.hpp"
+#include "app/fingers.hpp"
+#include "app/gamepad.hpp"
 #include "app/imgui_canvas.hpp"
+#include "app/key_map.hpp"
 #include "app/keys.hpp"
 #include "app/panel.hpp"
 #include "app/picture_files.hpp"
@@ -45,6 +48,8 @@ class Window {
  private:
   void handle(const SDL_Event& event);
   void key(SDL_Keysym key);
+  void touch(const SDL_TouchFingerEvent& finger);
+  void begin_game();
   void read_keyboard_layout();
   void play_game(double real_seconds);
   void sound();
@@ -70,6 +75,9 @@ class Window {
   Controls controls_;
   std::unique_ptr<Sound> sound_;  // empty where nobody listens
   long long knocks_ = 0;
+  std::unique_ptr<Gamepad> gamepad_;  // of a game
+  Fingers fingers_;
+  KeyMap keys_;
   HeldBall held_;
   double clock_ = 0;  // real seconds since the start
   bool closed_ = false;

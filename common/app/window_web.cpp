@@ -78,7 +78,7 @@ EMSCRIPTEN_KEEPALIVE void page_move(double seconds) {
   if (is_game(p.demo)) {
     p.controls.seconds = seconds;
     p.demo.control(p.playback, p.view, p.controls);
-    p.controls.mouse_moved = p.controls.less = p.controls.more = false;
+    p.controls.begin_frame();
   }
   if (!p.held.is_held()) p.playback.frame(seconds);
   if (p.demo.is_over && p.demo.is_over(p.playback)) p.playback.restart();
@@ -150,8 +150,10 @@ EMSCRIPTEN_KEEPALIVE void page_size(float width, float height) {
   page->view.whole = {0, 0, width, height};
 }
 EMSCRIPTEN_KEEPALIVE int page_press(int key) {
-  return press(static_cast<char>(key), page->demo, page->playback, page->view, page->controls) ? 1
-                                                                                               : 0;
+  Page& p = *page;
+  const bool used = press(static_cast<char>(key), p.demo, p.playback, p.view, p.controls);
+  p.controls.any = p.controls.any || !used;
+  return used ? 1 : 0;
 }
 EMSCRIPTEN_KEEPALIVE void page_go_back(double t) { page->playback.go_back_to(t); }
 
@@ -163,7 +165,7 @@ EMSCRIPTEN_KEEPALIVE int page_pointer(int kind, float x, float y) {
   p.controls.mouse = at;
   p.controls.mouse_moved = true;
   if (kind == 1) {
-    p.controls.button = true;
+    p.controls.button = p.controls.any = true;
     if (!choose_from_chart(p.demo, p.view, p.chart, p.playback, at) &&
         !choose_from_survey(p.demo, p.view, p.playback, at)) {
       p.held.take(p.demo, p.playback, p.view, at);
@@ -179,7 +181,11 @@ EMSCRIPTEN_KEEPALIVE int page_pointer(int kind, float x, float y) {
 EMSCRIPTEN_KEEPALIVE void page_hold(int keys_down) {
   Controls& c = page->controls;
   bool* const held[] = {&c.left, &c.right, &c.up, &c.down, &c.space, &c.a, &c.d, &c.w, &c.s};
-  for (std::size_t i = 0; i < std::size(held); ++i) *held[i] = (keys_down >> i & 1) != 0;
+  for (std::size_t i = 0; i < std::size(held); ++i) {
+    const bool down = (keys_down >> i & 1) != 0;
+    c.any = c.any || (down && !*held[i]);
+    *held[i] = down;
+  }
 }
 /// The speed [m/s] of a hit that is new, or 0.
 EMSCRIPTEN_KEEPALIVE double page_knock() {

@@ -39,7 +39,7 @@ picture 06_bifurcation.png null 06_oscillating_floor --sweep amplitude=0.05,0.09
 
 # Recorded inputs: a hand (a program moved it) that sends the ball from side to side.
 "$bin/08_racket_game" --replay 08_racket_game.txt --duration 7.2 --record "$work/clip.gif"
-ffmpeg -loglevel error -y -i "$work/clip.gif" -vf "fps=12.5,drawbox=0:0:300:60:0xfafaf7:fill,crop=720:504:120:6,scale=600:-1:flags=area,
+ffmpeg -loglevel error -y -i "$work/clip.gif" -vf "fps=10,crop=570:510:282:0,scale=500:-1:flags=area,
   split[a][b];[a]palettegen=max_colors=32:stats_mode=diff[p];
   [b][p]paletteuse=dither=none:diff_mode=rectangle" 08_racket_game.gif
 

@@ -260,11 +260,11 @@ check(await page.evaluate(async () => { // plays by itself: ten hits
   for (let frame = 0; frame < 6000 && hits < 10; ++frame) { api.move(1 / 60); if (api.knock() > 0) ++hits; }
   return hits;
 }) >= 10, 'the autopilot does not hit ten times');
-await page.evaluate(() => localStorage.setItem('bounce racket_game_best', '7'));
+await page.evaluate(() => localStorage.setItem('bounce racket_game_keep-up_30', '7'));
 await page.reload();
 await ready(page);
 await page.locator('bounce-stage canvas').first().click();
-check(await page.evaluate(() => { const { api } = document.querySelector('bounce-stage'); api.move(0.01); return api.module.kept?.('racket_game_best') ?? Number(localStorage.getItem('bounce racket_game_best')); }) === 7, 'the best score is not kept');
+check(await page.evaluate(() => { const { api } = document.querySelector('bounce-stage'); api.move(0.01); return api.module.kept?.('racket_game_keep-up_30') ?? Number(localStorage.getItem('bounce racket_game_keep-up_30')); }) === 7, 'the best score is not kept');
 await close(page);
 
 page = await open(1280, 'light', '05_ball_collision.html');

@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
   demo.sliders = {"racket_normal", "damping"};
   demo.make = [] { return std::make_unique<GameRun>(); };
   demo.bare = true;  // a game has no panel; the bare physics, which an option asks for, has one
-  demo.options = racket_game_options(demo.bare, record);
+  demo.options = racket_game_options(demo.bare, record, demo.keys);
   demo.plots = {plot_column("velocity along y (up)", "m/s", "vy")};
   use_hands(demo, use_game_view(demo));
   demo.at_end = with_files([&record] {

@@ -8,6 +8,7 @@
 #include "03_damping/exact.hpp"
 #include "05_ball_collision/picture/balls_picture.hpp"
 #include "05_ball_collision/run/balls_world.hpp"
+#include "08_racket_game/picture/game_view.hpp"
 #include "app/side_view.hpp"
 #include "app/window.hpp"
 #include "run_with.hpp"
@@ -32,7 +33,7 @@ void measure(const std::string& name, const Demo& demo, std::unique_ptr<Simulati
     picture += drawn - begin;
     all += seconds() - drawn;
   }
-  std::printf("%-14s picture %6.2f ms, physics %6.2f ms a frame\n", name.c_str(),
+  std::printf("%-15s picture %6.2f ms, physics %6.2f ms a frame\n", name.c_str(),
               1e3 * picture / frames, 1e3 * (all - picture) / frames);
 }
 
@@ -50,4 +51,15 @@ int main() {
     test::set_up(*run, {{"scene", "drop"}, {"count", count}});
     measure(std::string(count) + " balls", balls, std::move(run), 60);
   }
+  Demo game;
+  game.make = [] { return std::make_unique<GameRun>(); };
+  game.bare = true;
+  use_game_view(game);
+  for (const char* mode : {"keep-up", "target", "blind"}) {
+    auto run = std::make_unique<GameRun>();
+    run->play_as(PlayerKind::autopilot);
+    test::set_up(*run, {{"mode", mode}});
+    measure(std::string("game, ") + mode, game, std::move(run), 300);
+  }
+  measure("game, a loss", game, std::make_unique<GameRun>(), 420);  // nobody's hands
 }

@@ -19,6 +19,7 @@ std::unique_ptr<Simulation> one() {
 const std::vector<Stage>& all_stages() {
   static bool is_game = true;
   static InputRecord record;
+  static std::string keys;
   static const std::vector<Stage> all{
       {{"01_free_fall", ""}, one<OneBallRun<FreeFall, FreeFallExact>>},
       {{"02_spring_floor", ""}, one<OneBallRun<SpringFloor, SpringFloorExact>>},
@@ -29,7 +30,7 @@ const std::vector<Stage>& all_stages() {
        one<OneBallRun<OscillatingFloor, OscillatingFloorExact>>,
        {{"--sweep", "NAME=FROM,TO,N", "read by the program itself", {}, {}, {}}}},
       {{"07_tilted_plane", ""}, one<OneBallRun<TiltedPlane, TiltedPlaneExact>>},
-      {{"08_racket_game", ""}, one<GameRun>, racket_game_options(is_game, record)}};
+      {{"08_racket_game", ""}, one<GameRun>, racket_game_options(is_game, record, keys)}};
   return all;
 }
 

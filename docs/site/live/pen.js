@@ -46,8 +46,8 @@ export const penFor = ctx => heap => {
     ctx.beginPath(); ctx.moveTo(numbers[at], numbers[at + 1]);
     for (let i = 1; i < count; ++i) ctx.lineTo(numbers[at + 2 * i], numbers[at + 2 * i + 1]);
   };
-  /** A ball is lit in the dark, too: what is filled with its white and bluish grey stays as it is. */
-  const filling = code => { const [r, g, b] = parts(code); return pen.dark && b >= r && b > 90 && Math.max(r, g, b) - Math.min(r, g, b) < 16 ? `rgba(${r},${g},${b},${(code & 255) / 255})` : colour(code); };
+  /** A ball is lit in the dark, too: what is filled with its white and bluish grey stays as it is, and so does a shadow. */
+  const filling = code => { const [r, g, b] = parts(code); return pen.dark && (!(r | g | b) || b >= r && b > 90 && Math.max(r, g, b) - Math.min(r, g, b) <= 20) ? `rgba(${r},${g},${b},${(code & 255) / 255})` : colour(code); };
   const stroke = (code, width) => { ctx.strokeStyle = colour(code); ctx.lineWidth = width; ctx.stroke(); };
   const fill = code => { ctx.fillStyle = filling(code); ctx.fill(); };
   const font = size => { ctx.font = `${sizes[size] * grow(size)}px system-ui, "DejaVu Sans", "Noto Sans CJK JP", sans-serif`; };

@@ -97,7 +97,7 @@ class Stage extends HTMLElement {
     } }, s('copy the command'));
     const full = html('button', { type: 'button', onclick: () => this.canvas.requestFullscreen?.() }, s('full screen'));
     const swing = html('button', { type: 'button', onpointerdown: () => this.hold(16, true), onpointerup: () => this.hold(16, false), onpointerleave: () => this.hold(16, false) }, s('swing'));
-    const buttons = [this.play, button('◂', ',', 'step back'), button('▸', '.', 'step forward'), button('restart', 'r'), ...Object.values(this.toggles), ...(about.game ? [swing, full] : [])];
+    const buttons = [this.play, button('◂', ',', 'step back'), button('▸', '.', 'step forward'), button('restart', 'r'), ...Object.values(this.toggles), ...(about.game ? [swing, button('next game', 'g'), full] : [])];
     this.replaceChildren(this.canvas, html('p', { className: 'question' }, html('b', {}, about.title + '. '), about.game ? '' : about.question),
       html('div', { className: 'buttons' }, ...buttons), ...(about.game ? [this.warning] : [
         html('div', { className: 'row' }, html('span', {}, s('time')), this.scrub, this.clock), ...main.map(row),
@@ -163,13 +163,21 @@ class Stage extends HTMLElement {
     };
     canvas.style.touchAction = about.game ? 'none' : 'pan-y';
     canvas.onpointermove = event => { point(0, event); if (!this.state.paused || this.used) this.wake(); };
-    canvas.onpointerdown = event => { // on a game a finger moves, and a second one is the button
+    canvas.onpointerdown = event => { // on a game a finger moves; a second one is the button, and so is a tap
+      if (event.isPrimary) this.since = [event.timeStamp, event.clientX, event.clientY];
       canvas.focus({ preventScroll: true });
       this.used = point(about.game && event.pointerType === 'touch' && event.isPrimary ? 0 : 1, event);
       if (this.used) canvas.setPointerCapture(event.pointerId);
       this.changed();
     };
-    canvas.onpointerup = canvas.onpointercancel = event => { point(2, event); this.used = 0; this.changed(); };
+    canvas.onpointerup = canvas.onpointercancel = event => {
+      const [t, x, y] = this.since ?? [0, 0, 0];
+      if (about.game && event.type === 'pointerup' && event.pointerType === 'touch' && event.isPrimary && event.timeStamp - t < 200 && Math.hypot(event.clientX - x, event.clientY - y) < 20) {
+        this.hold(16, true);
+        setTimeout(() => this.hold(16, false), 250);
+      }
+      point(2, event); this.used = 0; this.changed();
+    };
     canvas.addEventListener('touchstart', event => { if (this.used) event.preventDefault(); }, { passive: false });
     new ResizeObserver(() => this.wake()).observe(canvas);
     new MutationObserver(() => this.wake()).observe(document.documentElement, { attributeFilter: ['data-theme'] });

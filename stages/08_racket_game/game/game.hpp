@@ -25,7 +25,8 @@ inline constexpr double largest_tilt = 8 * degree;  // sends the ball 1 m aside 
 inline constexpr double stroke = 0.12;              // m that a swing lifts the racket
 inline constexpr double rises = 0.1;                // m above the racket: now a hit counts
 inline constexpr double floor_below = 0.7;          // m below the racket: there the ball is lost
-inline constexpr double input_time = 1.0 / 60;      // s from one input to the next
+inline constexpr double court = 1.2;  // m from its middle to each side: hands reach so far
+inline constexpr double input_time = 1.0 / 60;  // s from one input to the next
 }  // namespace rules
 
 // ---- Difficulty

@@ -1,7 +1,10 @@
 #include "08_racket_game/game/game_run.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "08_racket_game/game/round_step.hpp"
 #include "08_racket_game/run/racket_steps.hpp"
 #include "physics/events/event_driven.hpp"
 #include "physics/remembered.hpp"
@@ -28,6 +31,7 @@ Traits GameRun::traits() const {
       std::max({1.0, dt() / longest_contact_piece(settings_.racket), dt() / longest_step});
   all.summary = "player=" + player + " hits=" + std::to_string(round_.score.hits) +
                 " lost=" + (round_.score.lost ? "yes" : "no");
+  if (settings_.counts_points()) all.summary += " points=" + std::to_string(round_.points.total);
   if (settings_.player != PlayerKind::human) all.command = " --player " + player;
   all.saved_options = {{"player", player}};
   return all;
@@ -60,7 +64,9 @@ void GameRun::reset_state() {
   }
   settings_.seed = seed();
   const int next = round_.number + (round_.score.lost ? 1 : 0);
+  const int best_points = round_.points.best;
   round_ = begin_round(settings_, next, round_.score.best);
+  round_.points.best = best_points;
   more_pieces_ = 0;
   next_entry_ = 0;
   if (record_) note_settings();
@@ -124,6 +130,13 @@ void GameRun::want(Input input) {
   give(input);
 }
 
+void GameRun::use_next_mode() {
+  const std::vector<Parameter> all = parameters();
+  const Choice& mode = std::get<Choice>(find_parameter(all, "mode").value);
+  mode.select((mode.selected() + 1) % mode.names.size());
+  round_.points.best = 0;  // that was of the mode before
+}
+
 void GameRun::give(const Input& input) {
   take_input(round_, input);
   if (record_) record_->note(round_.steps, input);
@@ -139,6 +152,15 @@ void GameRun::replay(std::shared_ptr<const InputLog> log) {
   round_.number = replay_->round;
   use_method(find_method(replay_->method, methods()));
   use_dt(replay_->dt);
+}
+
+void GameRun::repeat() {
+  if (!record_ || replay_) return;
+  const auto not_yet = [this](const InputLog::Entry& entry) { return entry.step >= round_.steps; };
+  replay_ = std::exchange(record_, nullptr);
+  const auto& entries = replay_->entries;
+  next_entry_ = static_cast<std::size_t>(std::find_if(entries.begin(), entries.end(), not_yet) -
+                                         entries.begin());
 }
 
 void GameRun::note_settings() {
@@ -161,6 +183,7 @@ void GameRun::remembered(Self& self, Visit& visit) {
   visit.whole("seed", self.settings_.seed, 0, 1'000'000'000'000'000);
   visit.whole("next_entry", self.next_entry_, 0, 1'000'000'000'000'000);
   Round::remembered(self.round_, visit);
+  if (self.settings_.counts_points()) Points::remembered(self.round_.points, visit);
 }
 
 std::vector<double> GameRun::numbers() const {

@@ -34,14 +34,20 @@ class GameRun final : public Simulation {
 
   // ---- How it is played
   void play_as(PlayerKind player) { settings_.player = player; }
-  void keep_best(int best) { round_.score.best = std::max(round_.score.best, best); }
+  /// The best points that are known, of this mode with this assist.
+  void use_best(int best) { round_.points.best = std::max(best, round_.points.total); }
+  /// The next of the three modes; the next round, which must be begun, is in it.
+  void use_next_mode();
   void set_assist(double percent) { settings_.assist = std::clamp(percent, 0.0, 100.0); }
   /// A human's input, once a frame.
   void want(Input input);
   /// Notes all inputs in `log`.
   void record(std::shared_ptr<InputLog> log) { record_ = std::move(log); }
+  bool is_recorded() const { return record_ != nullptr; }
   /// Plays the inputs of `log`, with what else is written there.
   void replay(std::shared_ptr<const InputLog> log);
+  /// A copy of a run that went on: what its player did since comes again, and is not noted twice.
+  void repeat();
 
   // ---- As every simulation
   std::unique_ptr<Simulation> clone() const override { return std::make_unique<GameRun>(*this); }

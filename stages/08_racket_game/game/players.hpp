@@ -19,6 +19,7 @@ struct Sight {
   double gravity;        // m/s^2
   double restitution;    // of ball and racket
   Eigen::Vector3d home;  // the middle of the court, at the height of the lowered racket
+  Eigen::Vector3d aim;   // where the next hit shall send the ball: there, or to a target
 };
 
 /// Where and when the falling ball will be at that height, from the closed form.
@@ -41,7 +42,8 @@ inline Landing landing(const State<Eigen::Vector3d>& ball, double gravity, doubl
 }
 
 /// The autopilot has the player's means and no others. It goes where the ball will land, tilts the
-/// racket so that the ball comes back to the middle of the court, and swings at the right moment.
+/// racket so that the ball comes to its aim, mostly the middle of the court, and swings at the
+/// right moment.
 inline Input autopilot(const Sight& sight) {
   const double swing = swing_speed(sight.gravity);
   const double meeting = sight.home.y() + sight.ball_radius + rules::stroke / 2;
@@ -64,8 +66,8 @@ inline Input autopilot(const Sight& sight) {
     const double wanted = (middle - place) / T;
     return std::clamp((wanted - velocity) / ((1 + e) * w) / rules::largest_tilt, -1.0, 1.0);
   };
-  input.tilt_x = tilt(next.place.x(), sight.home.x(), sight.ball.velocity.x());
-  input.tilt_z = tilt(next.place.z(), sight.home.z(), sight.ball.velocity.z());
+  input.tilt_x = tilt(next.place.x(), sight.aim.x(), sight.ball.velocity.x());
+  input.tilt_z = tilt(next.place.z(), sight.aim.z(), sight.ball.velocity.z());
 
   // Half the stroke before the meeting, and the time to get to speed.
   const double lead = rules::stroke / 2 / swing + 0.02;

@@ -6,6 +6,7 @@
 #include "08_racket_game/game/game.hpp"
 #include "08_racket_game/game/input_log.hpp"
 #include "08_racket_game/game/players.hpp"
+#include "08_racket_game/game/points.hpp"
 #include "08_racket_game/run/racket_setup.hpp"
 #include "physics/contact.hpp"
 
@@ -15,7 +16,16 @@ namespace bounce {
 struct Settings : RacketSetup {
   PlayerKind player = PlayerKind::human;
   std::uint64_t seed = 1;
+
+  bool on_beat() const { return mode == blind && player != PlayerKind::blind; }
+  /// What machines do in the first mode is counted in hits only.
+  bool counts_points() const { return player == PlayerKind::human || mode != keep_up; }
 };
+
+inline const char* mode_name(const Settings& settings) {
+  static constexpr const char* names[] = {"keep-up", "target", "blind"};
+  return names[settings.mode];
+}
 
 /// One round of the game, from the serve to the loss: all that the next step depends on.
 struct Round {
@@ -24,6 +34,7 @@ struct Round {
   bool through = false;
   Grip grip;
   Score score;
+  Points points;
   Input from, to;        // the racket's aim goes evenly from one to the other,
   double input_age = 0;  // and this is how long ago the other came [s]
   long long steps = 0;
@@ -93,18 +104,41 @@ inline BlindStart blind_start(const Settings& settings) {
   return start;
 }
 
+/// When the human plays blind. (The blind player has a swing of its own.)
+inline Beat beat_of(const Settings& settings) {
+  const SpringDamper law{settings.racket.stiffness, settings.racket.damping,
+                         settings.racket.contact};
+  return beat_for(settings.racket.gravity, settings.restitution(),
+                  std::min(contact_time(law, settings.racket.mass), 0.2));
+}
+
+/// Who does not look is spared that it becomes harder.
+inline bool is_blind(const Settings& settings) {
+  return settings.player == PlayerKind::blind || settings.on_beat();
+}
 inline double gravity_of(const Settings& settings, const Round& round) {
   const double full = settings.racket.gravity;
-  return settings.player == PlayerKind::blind ? full : gravity_after(round.score.hits, full);
+  return is_blind(settings) ? full : gravity_after(round.score.hits, full);
 }
 inline double disc_radius_of(const Settings& settings, const Round& round) {
   const double first = settings.racket.disc.radius;
-  return settings.player == PlayerKind::blind ? first : disc_radius_after(round.score.hits, first);
+  return is_blind(settings) ? first : disc_radius_after(round.score.hits, first);
+}
+
+/// Where the hit after these shall send the ball.
+inline Eigen::Vector3d aim_after(int hits, const Settings& settings, const Round& round) {
+  const Eigen::Vector3d home = settings.racket.disc.centre;
+  if (settings.mode != Settings::target) return home;
+  return home + target_after(hits, settings.seed, round.number);
 }
 
 inline Sight sight_of(const Settings& settings, const Round& round) {
-  return {round.ball, settings.racket.radius, gravity_of(settings, round), settings.restitution(),
-          settings.racket.disc.centre};
+  return {round.ball,
+          settings.racket.radius,
+          gravity_of(settings, round),
+          settings.restitution(),
+          settings.racket.disc.centre,
+          aim_after(round.score.hits, settings, round)};
 }
 
 /// The serve: up, and a little aside. The best score stays.
@@ -119,6 +153,11 @@ inline Round begin_round(const Settings& settings, int number, int best) {
   if (settings.player == PlayerKind::blind) {
     round.ball.position = home;
     round.ball.position.y() += settings.racket.radius + blind_start(settings).top + settings.knock;
+    round.ball.velocity.setZero();
+  } else if (settings.on_beat()) {
+    round.ball.position = home;
+    round.ball.position.y() +=
+        settings.racket.radius + rules::stroke / 2 + beat_of(settings).top(settings.racket.gravity);
     round.ball.velocity.setZero();
   } else {
     round.ball.velocity += Eigen::Vector3d(0, 1.2, 0);
@@ -135,81 +174,6 @@ inline Disc disc_of(const Settings& settings, const Round& round) {
   disc.normal = round.grip.normal();
   disc.centre += round.grip.shift();
   return disc;
-}
-
-/// The racket during the next `dt` seconds: where it begins, and the velocities that bring it to
-/// where it ends. The grip moves on.
-inline Disc move_racket(const Settings& settings, Round& round, double dt) {
-  const Eigen::Vector3d home = settings.racket.disc.centre;
-  if (settings.player == PlayerKind::blind) {
-    const auto [swing, phase, top] = blind_start(settings);
-    const double before = swing.height(round.clock, phase);
-    round.grip.y.position = swing.height(round.clock + dt, phase);
-    round.grip.y.velocity = (round.grip.y.position - before) / dt;
-    Disc disc = disc_of(settings, round);
-    disc.centre = home + Eigen::Vector3d(0, before, 0);
-    disc.velocity = {0, round.grip.y.velocity, 0};
-    return disc;
-  }
-  // Between two inputs the aim moves evenly: a hand does, and its samples do not.
-  const double share = std::min(1.0, (round.input_age + dt) / rules::input_time);
-  Input now = round.to;
-  now.x = round.from.x + share * (round.to.x - round.from.x);
-  now.z = round.from.z + share * (round.to.z - round.from.z);
-  now = assisted(now, sight_of(settings, round));
-  return follow(round.grip, now, home, disc_radius_of(settings, round),
-                swing_speed(gravity_of(settings, round)), dt);
-}
-
-/// From now on the player wants this.
-inline void take_input(Round& round, const Input& input) {
-  const double share = std::min(1.0, round.input_age / rules::input_time);
-  round.from.x += share * (round.to.x - round.from.x);
-  round.from.z += share * (round.to.z - round.from.z);
-  round.to = input;
-  round.input_age = 0;
-}
-
-/// One step of the game. `move_ball(scene, ball, dt)` is the physics: it moves the ball beside the
-/// racket of `scene`, and says how often the two touched.
-template <class MoveBall>
-void step(const Settings& settings, Round& round, double dt, const MoveBall& move_ball) {
-  const Disc disc = move_racket(settings, round, dt);
-  ++round.steps;
-  round.clock += dt;
-  round.input_age += dt;
-  if (round.score.lost) return;
-
-  Racket scene = settings.racket;
-  scene.gravity = gravity_of(settings, round);
-  scene.disc = disc;
-  scene.since = 0;
-  scene.side = round.side;
-  scene.through = round.through;
-  const Eigen::Vector3d before = round.ball.velocity - scene.disc.velocity;
-  const long long touches = move_ball(scene, round.ball, dt);
-  round.side = scene.side;
-  round.through = scene.through;
-
-  const NearestPoint nearest = scene.nearest(scene.disc_at(dt), round.ball.position);
-  if (touches > 0) {
-    round.touches += touches;
-    round.touch_speed = std::abs(nearest.direction.dot(before));
-    round.touch_clock = round.clock;
-    round.touch_place = nearest.point;
-  }
-  const Eigen::Vector3d home = settings.racket.disc.centre;
-  const double above_racket =
-      round.ball.position.y() - home.y() - round.grip.y.position - scene.radius;
-  const double above_floor =
-      round.ball.position.y() - scene.radius - (home.y() - rules::floor_below);
-  const bool touching = touches > 0 || nearest.distance < scene.radius;
-  const bool hit = round.score.watch(touching, above_racket, above_floor);
-  if (round.score.lost) round.lost_clock = round.clock;
-  if (hit && settings.player != PlayerKind::blind) {
-    round.ball.velocity += push(0, 0.12, settings.seed, static_cast<std::uint64_t>(round.number),
-                                static_cast<std::uint64_t>(round.score.hits));
-  }
 }
 
 }  // namespace bounce

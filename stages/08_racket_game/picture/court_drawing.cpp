@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "08_racket_game/run/bare_racket.hpp"
 #include "app/drawing.hpp"
 #include "app/palette.hpp"
 #include "app/space_drawing.hpp"
@@ -15,15 +16,9 @@ namespace bounce {
 
 using Eigen::Vector3d;
 
-namespace {
-
-constexpr double trail_lasts = 0.35;      // s
-constexpr Colour face{0xBF, 0xD3, 0xE2};  // of the racket
-constexpr Colour back{0x9A, 0xAF, 0xBE};
-
 /// A circle in space, around `centre`, square to `normal`.
 std::vector<Vector3d> circle(const Vector3d& centre, const Vector3d& normal, double radius,
-                             int corners = 64) {
+                             int corners) {
   const auto [along, across] = axes_of(Plane{normal, 0});
   std::vector<Vector3d> points;
   for (int i = 0; i <= corners; ++i) {
@@ -32,6 +27,12 @@ std::vector<Vector3d> circle(const Vector3d& centre, const Vector3d& normal, dou
   }
   return points;
 }
+
+namespace {
+
+constexpr Colour face{0xCB, 0xD3, 0xDA};  // of the racket
+constexpr Colour back{0xA6, 0xAF, 0xB8};
+constexpr Colour rim{0x3A, 0x44, 0x4E};
 
 Colour mixed(Colour from, Colour to, double share) {
   const auto mix = [share](std::uint8_t a, std::uint8_t b) {
@@ -42,71 +43,83 @@ Colour mixed(Colour from, Colour to, double share) {
 
 }  // namespace
 
-void draw_floor(Canvas& canvas, const Camera& camera, const Plane& floor, const Vector3d& centre) {
-  constexpr double square = 0.5;  // m
-  constexpr int reach = 6;        // squares
-  const double height = -floor.offset;
-  const double first_x = square * std::round(centre.x() / square);
-  const double first_z = square * std::round(centre.z() / square);
-  const auto line = [&](double x1, double z1, double x2, double z2) {
-    const double away = std::hypot((x1 + x2) / 2 - centre.x(), (z1 + z2) / 2 - centre.z());
-    const double share = 1 - away / (reach * square);
-    if (share <= 0) return;
-    const std::array<Vector3d, 2> ends{Vector3d(x1, height, z1), Vector3d(x2, height, z2)};
-    draw_path(canvas, camera, ends, palette::exact.faded(0.5 * share), 1);
-  };
-  for (int i = -reach; i <= reach; ++i) {
-    for (int j = -reach; j < reach; ++j) {
-      const double a = square * i, b = square * j, c = square * (j + 1);
-      line(first_x + a, first_z + b, first_x + a, first_z + c);
-      line(first_x + b, first_z + a, first_x + c, first_z + a);
-    }
+Court court_of(const Simulation& simulation) {
+  Court court;
+  court.ball = state_in<Vector3d>(simulation.values());
+  if (const GameRun* game = run_if<GameRun>(simulation)) {
+    court.game = game;
+    court.racket = game->scene_now();
+    court.home = game->settings().racket.disc.centre;
+  } else {
+    const BareRacketWorld& world = run_as<BareRacketRun>(simulation).world();
+    court.racket = world.scene_now();
+    court.racket.disc = world.disc(simulation.time());
+    court.home = world.setup.racket.disc.centre;
   }
+  return court;
+}
+
+void draw_sky(Canvas& canvas, const Camera& camera, Rect area, double floor) {
+  constexpr Colour zenith{0xE2, 0xE1, 0xDC};
+  constexpr int strips = 12;
+  const Vector3d far(0, floor, -1e5);
+  const float horizon = std::round(std::clamp(camera.at(far).y, area.y, area.bottom()));
+  const float height = std::ceil((horizon - area.y) / strips);
+  for (int i = 0; i < strips; ++i) {
+    const float top = area.y + static_cast<float>(i) * height;
+    if (top >= horizon) break;
+    draw_rect(canvas, {area.x, top, area.width, std::min(height, horizon - top)},
+              mixed(zenith, palette::paper, (i + 0.5) / strips));
+  }
+  const std::array<Point, 2> line{Point{area.x, horizon}, Point{area.right(), horizon}};
+  canvas.line(line, palette::grid_major, 1);
+}
+
+void draw_floor(Canvas& canvas, const Camera& camera, double floor, const Vector3d& centre) {
+  // Small squares near by, to see movement; and large ones up to far away, to see depth.
+  const auto squares = [&](double square, int reach, double strength) {
+    const double first_x = square * std::round(centre.x() / square);
+    const double first_z = square * std::round(centre.z() / square);
+    const auto line = [&](double x1, double z1, double x2, double z2) {
+      const double away = std::hypot((x1 + x2) / 2 - centre.x(), (z1 + z2) / 2 - centre.z());
+      const double share = 1 - away / (reach * square);
+      if (share < 0.1) return;  // not to be seen
+      const std::array<Vector3d, 2> ends{Vector3d(x1, floor, z1), Vector3d(x2, floor, z2)};
+      draw_path(canvas, camera, ends, palette::exact.faded(strength * share), 1);
+    };
+    for (int i = -reach; i <= reach; ++i) {
+      for (int j = -reach; j < reach; j += 2) {
+        const double a = square * i, b = square * j, c = square * (j + 2);
+        line(first_x + a, first_z + b, first_x + a, first_z + c);
+        line(first_x + b, first_z + a, first_x + c, first_z + a);
+      }
+    }
+  };
+  squares(0.5, 6, 0.35);
+  squares(2, 6, 0.5);
 }
 
 void draw_disc(Canvas& canvas, const Camera& camera, const Disc& disc, bool from_front,
                double glow) {
-  const std::vector<Vector3d> rim = circle(disc.centre, disc.normal, disc.radius);
-  const Colour fill = mixed(from_front ? face : back, palette::spring, 0.6 * glow);
-  draw_patch(canvas, camera, rim, {fill.red, fill.green, fill.blue, 235});
+  const std::vector<Vector3d> edge = circle(disc.centre, disc.normal, disc.radius);
+  const Colour fill = mixed(from_front ? face : back, accent, 0.35 * glow);
+  draw_patch(canvas, camera, edge, {fill.red, fill.green, fill.blue, 235});
   const auto inner = circle(disc.centre, disc.normal, disc.radius / 2, 48);
-  draw_path(canvas, camera, inner, palette::motion.faded(0.35), 1);
-  draw_path(canvas, camera, rim, palette::motion, 3);
+  draw_path(canvas, camera, inner, rim.faded(0.4), 1);
+  draw_path(canvas, camera, edge, rim, 3);
 }
 
 void draw_disc_shadow(Canvas& canvas, const Camera& camera, const Disc& disc, double floor) {
   std::vector<Vector3d> shadow = circle(disc.centre, disc.normal, disc.radius, 40);
   for (Vector3d& point : shadow) point.y() = floor;
-  draw_patch(canvas, camera, shadow, palette::ink.faded(0.10));
+  draw_patch(canvas, camera, shadow, palette::shadow.faded(0.10));
 }
 
-void draw_landing(Canvas& canvas, const Camera& camera, const Court& court) {
-  const double height = court.racket.disc.centre.y(), radius = court.racket.radius;
-  const Landing next = landing(court.ball, court.racket.gravity, height + radius);
-  if (next.after == never || next.after > 3) return;
-  Vector3d place = next.place;
-  place.y() = height + 0.004;
-  const double size = radius * (0.5 + 1.5 * std::min(1.0, next.after));
-  draw_path(canvas, camera, circle(place, Vector3d::UnitY(), size, 40), palette::damper, 2);
-  for (const Vector3d& arm : {Vector3d(0.05, 0, 0), Vector3d(0, 0, 0.05)}) {
-    const std::array<Vector3d, 2> line{place - arm, place + arm};
-    draw_path(canvas, camera, line, palette::damper, 2);
-  }
-}
-
-void draw_game_trail(Canvas& canvas, const Camera& camera, const Playback& playback) {
-  const double now = playback.shown_time();
-  std::vector<Vector3d> path;
-  std::vector<double> ages;
-  for (auto point = playback.trace().rbegin(); point != playback.trace().rend(); ++point) {
-    if (now - point->t > trail_lasts) break;
-    path.push_back(state_in<Vector3d>(point->values).position);
-    ages.push_back((now - point->t) / trail_lasts);
-  }
-  for (std::size_t i = 0; i + 4 < path.size(); i += 4) {
-    const std::array<Vector3d, 2> piece{path[i], path[i + 4]};
-    const double share = std::clamp(1 - ages[i], 0.0, 1.0);
-    draw_path(canvas, camera, piece, palette::motion.faded(0.55 * share),
+void draw_game_trail(Canvas& canvas, const Camera& camera, std::span<const TrailPoint> trail) {
+  for (std::size_t i = 0; i + 4 < trail.size(); i += 4) {
+    const std::array<Vector3d, 2> piece{trail[i].place, trail[i + 4].place};
+    const double share = std::clamp(1 - trail[i].age / trail_lasts, 0.0, 1.0);
+    draw_path(canvas, camera, piece, palette::exact.faded(0.55 * share),
               static_cast<float>(2 + 5 * share));
   }
 }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "08_racket_game/picture/court_drawing.hpp"
+#include "08_racket_game/picture/marks.hpp"
 #include "08_racket_game/picture/score_board.hpp"
 #include "app/drawing.hpp"
 #include "app/layout.hpp"
@@ -30,23 +32,19 @@ double flash(const Court& court, const View& view) {
   return std::clamp(1 - (round.clock - round.touch_clock) / flash_lasts, 0.0, 1.0);
 }
 
-}  // namespace
-
-Court court_of(const Simulation& simulation) {
-  Court court;
-  court.ball = state_in<Vector3d>(simulation.values());
-  if (const GameRun* game = run_if<GameRun>(simulation)) {
-    court.game = game;
-    court.racket = game->scene_now();
-    court.home = game->settings().racket.disc.centre;
-  } else {
-    const BareRacketWorld& world = run_as<BareRacketRun>(simulation).world();
-    court.racket = world.scene_now();
-    court.racket.disc = world.disc(simulation.time());
-    court.home = world.setup.racket.disc.centre;
-  }
-  return court;
+/// The touches, and blind the beats between them, which sound softer.
+Knock last_sound(const GameRun& game) {
+  constexpr double soft = 1.5;  // m/s
+  const Round& round = game.round();
+  if (!game.settings().on_beat() || round.score.lost) return {round.touches, round.touch_speed};
+  const Beat beat = beat_of(game.settings());
+  const int beats = beat.count(round.clock);
+  const double last = beat.first + (beats - 1) * beat.period;
+  const bool is_beat = beats > 0 && last > round.touch_clock;
+  return {round.touches + beats, is_beat ? soft : round.touch_speed};
 }
+
+}  // namespace
 
 Camera GameView::camera_for(const Court& court, double t) {
   const Vector3d home = court.home, now = court.racket.disc.centre;
@@ -69,41 +67,48 @@ std::optional<Vector3d> GameView::on_racket_plane(Point pixel) const {
   return eye + sight * std::min((home_height_ - eye.y()) / sight.y(), farthest);
 }
 
-void GameView::draw_scene(Canvas& canvas, const Playback& playback, const View& view) {
-  const Court court = court_of(playback.simulation());
-  const Camera camera = camera_for(court, playback.shown_time());
-  const Vector3d ball = state_in<Vector3d>(playback.shown_values()).position;
+void GameView::draw_scene(Canvas& canvas, const Court& court, double t,
+                          std::span<const TrailPoint> trail, const View& view) {
+  const Camera camera = camera_for(court, t);
+  const Vector3d ball = court.ball.position;
   const Disc disc = court.racket.disc;
   const double radius = court.racket.radius;
 
+  const bool unseen = court.game && court.game->settings().on_beat() && !again_.is_on();
   if (court.game) {
     const double height = court.game->floor_height();
     const Plane floor{Vector3d::UnitY(), -height};
-    draw_floor(canvas, camera, floor, focus_);
+    draw_sky(canvas, camera, area_, height);
+    draw_floor(canvas, camera, height, focus_);
     draw_disc_shadow(canvas, camera, disc, height);
-    draw_shadow(canvas, camera, floor, ball, radius);
+    if (!unseen) draw_shadow(canvas, camera, floor, ball, radius);
   }
   // No depth buffer: what is on the far side of the disc is drawn first.
   const Vector3d eye = focus_ + Vector3d(0, camera_height, camera_distance);
   const bool from_front = disc.height(eye) > 0;
+  const double glow = again_.is_on() ? 0 : flash(court, view);
+  if (unseen) return draw_disc(canvas, camera, disc, from_front, glow);
   const bool ball_behind = (disc.height(ball) > 0) != from_front;
   const NearestPoint nearest = court.racket.nearest(disc, ball);
-  if (view.trail && ball_behind) draw_game_trail(canvas, camera, playback);
-  if (ball_behind) draw_flattened_ball(canvas, camera, ball, radius, nearest);
-  const double glow = flash(court, view);
+  const auto draw_ball = [&] {
+    if (view.trail) draw_game_trail(canvas, camera, trail);
+    draw_flattened_ball(canvas, camera, ball, radius, nearest);
+  };
+  if (ball_behind) draw_ball();
   draw_disc(canvas, camera, disc, from_front, glow);
   if (!ball_behind && disc.normal.y() > 0 && disc.outwards(ball).norm() < disc.radius) {
     draw_shadow(canvas, camera, {disc.normal, -disc.normal.dot(disc.centre)}, ball, radius);
   }
+  if (court.game && !again_.is_on() && court.game->settings().counts_points()) {
+    draw_goal(canvas, camera, court);
+  }
   draw_landing(canvas, camera, court);
   if (glow > 0 && camera.sees(court.game->round().touch_place)) {
     canvas.circle(camera.at(court.game->round().touch_place), static_cast<float>(40 - 28 * glow),
-                  palette::spring.faded(glow), 2.5f);
+                  accent.faded(glow), 2.5f);
   }
-  if (!ball_behind) {
-    if (view.trail) draw_game_trail(canvas, camera, playback);
-    draw_flattened_ball(canvas, camera, ball, radius, nearest);
-  }
+  if (!ball_behind) draw_ball();
+  if (again_.is_on()) draw_arrows(canvas, camera, court, again_.now(), again_.touch());
   if (const Point at = camera.at(ball); camera.depth(ball) > 0 && at.y < area_.y - 5) {
     const Point tip{std::clamp(at.x, area_.x + 20, area_.right() - 20), area_.y + 8};
     draw_arrow(canvas, {tip.x, tip.y + 34}, tip, palette::motion, Shaft::velocity);
@@ -112,15 +117,45 @@ void GameView::draw_scene(Canvas& canvas, const Playback& playback, const View& 
   }
 }
 
+void GameView::draw_live(Canvas& canvas, const Playback& playback, const View& view) {
+  Court court = court_of(playback.simulation());
+  court.ball = state_in<Vector3d>(playback.shown_values());
+  const double now = playback.shown_time();
+  std::vector<TrailPoint> trail;
+  for (auto point = playback.trace().rbegin(); point != playback.trace().rend(); ++point) {
+    if (now - point->t > trail_lasts) break;
+    trail.push_back({now - point->t, state_in<Vector3d>(point->values).position});
+  }
+  draw_scene(canvas, court, now, trail, view);
+}
+
+void GameView::draw_again(Canvas& canvas, const Playback& playback, const View& view) {
+  Court court = court_of(playback.simulation());
+  court.ball = again_.now().ball;
+  court.racket.disc = again_.now().disc;
+  draw_scene(canvas, court, again_.now().t, again_.trail(), view);
+}
+
 void GameView::draw(Canvas& canvas, const Playback& playback, const View& view) {
   const GameRun* game = run_if<GameRun>(playback.simulation());
   area_ = game ? view.whole : layout::scene;
+  again_.follow(playback);
   canvas.push_clip(area_);
-  draw_scene(canvas, playback, view);
+  if (again_.is_on()) {
+    draw_again(canvas, playback, view);
+  } else {
+    draw_live(canvas, playback, view);
+  }
   if (game) {
     const bool blind = game->settings().player == PlayerKind::blind;
     if (blind) draw_blind_history(canvas, *game, playback, area_);
+    if (game->settings().on_beat() && !again_.is_on()) {
+      const double phase = beat_of(game->settings()).phase(playback.shown_time());
+      draw_beat(canvas, {area_.x + area_.width / 2, area_.y + 200}, phase,
+                view.calm ? 0 : std::max(0.0, 1 - phase / 0.15));
+    }
     draw_score_board(canvas, *game, area_, view);
+    if (game->round().score.lost && !view.help) draw_loss(canvas, *game, again_, area_);
   }
   if (is_live && playback.paused) {
     draw_label(canvas, {area_.width / 2, 60}, "paused (P)", palette::ink, Align::centre,
@@ -139,7 +174,7 @@ std::shared_ptr<GameView> use_game_view(Demo& demo) {
   };
   demo.knock = [](const Playback& playback) {
     const GameRun* game = run_if<GameRun>(playback.simulation());
-    return game ? Knock{game->round().touches, game->round().touch_speed} : Knock{};
+    return game ? last_sound(*game) : Knock{};
   };
   demo.is_over = [](const Playback& playback) {  // a machine that has lost serves again
     const GameRun* game = run_if<GameRun>(playback.simulation());

@@ -2,22 +2,13 @@
 #include <Eigen/Core>
 #include <memory>
 #include <optional>
+#include <span>
 
-#include "08_racket_game/game/game_run.hpp"
-#include "08_racket_game/run/bare_racket.hpp"
+#include "08_racket_game/picture/loss_again.hpp"
 #include "app/camera.hpp"
 #include "app/demo.hpp"
 
 namespace bounce {
-
-/// What the picture needs to know, of the game or of the bare physics.
-struct Court {
-  State<Eigen::Vector3d> ball;
-  Racket racket;                  // as it is now, with the gravity of now
-  Eigen::Vector3d home{0, 0, 0};  // where the racket began
-  const GameRun* game = nullptr;  // nullptr: the bare physics
-};
-Court court_of(const Simulation& simulation);
 
 /// The picture of ball and racket. It remembers where the camera is, which follows calmly.
 class GameView {
@@ -31,12 +22,16 @@ class GameView {
 
  private:
   Camera camera_for(const Court& court, double t);
-  void draw_scene(Canvas& canvas, const Playback& playback, const View& view);
+  void draw_scene(Canvas& canvas, const Court& court, double t, std::span<const TrailPoint> trail,
+                  const View& view);
+  void draw_live(Canvas& canvas, const Playback& playback, const View& view);
+  void draw_again(Canvas& canvas, const Playback& playback, const View& view);
 
   Rect area_{0, 0, 1280, 720};
   Eigen::Vector3d focus_{0, 0, 0};  // what the camera looks at, before it is raised
   double home_height_ = 0;
   double last_t_ = -1;
+  LossAgain again_;
 };
 
 /// Gives the demo this picture.

@@ -1,6 +1,8 @@
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <string>
 
 #include "08_racket_game/game/game_run.hpp"
 #include "08_racket_game/picture/game_view.hpp"
@@ -15,17 +17,23 @@ class Hands {
  public:
   void operator()(Playback& playback, const Controls& controls, const GameView& view) {
     GameRun& run = run_as<GameRun>(playback.simulation());
+    if (controls.next && !run.is_replay()) {
+      run.use_next_mode();
+      playback.restart();
+    }
     keep_best(run);
     if (controls.less) run.set_assist(run.settings().assist - 10);
     if (controls.more) run.set_assist(run.settings().assist + 10);
 
-    const bool swing = controls.space || controls.button;
-    const bool pressed = swing && !swung_;
-    swung_ = swing;
     const Round& round = run.round();
-    if (round.score.lost && pressed && round.clock - round.lost_clock > 0.3) {
+    // Not at once: that key was meant for the ball.
+    if (round.score.lost && controls.any && round.clock - round.lost_clock > 0.5) {
       playback.restart();
       return;
+    }
+    const bool human = run.settings().player == PlayerKind::human;
+    if (human && !run.is_recorded() && !run.is_replay()) {
+      run.record(std::make_shared<InputLog>());  // to see a loss again
     }
 
     const Eigen::Vector3d home = run.settings().racket.disc.centre;
@@ -36,36 +44,41 @@ class Hands {
       }
     }
     const double reach = walking_speed * std::min(controls.seconds, 0.1);
-    aim_.x += reach * (controls.right - controls.left);
-    aim_.z += reach * (controls.down - controls.up);
-    aim_.x = std::clamp(aim_.x, -court, court);
-    aim_.z = std::clamp(aim_.z, -court, court);
+    aim_.x += reach * (controls.right - controls.left + controls.move_x);
+    aim_.z += reach * (controls.down - controls.up + controls.move_z);
+    aim_.x = std::clamp(aim_.x, -rules::court, rules::court);
+    aim_.z = std::clamp(aim_.z, -rules::court, rules::court);
 
     Input input;
     input.x = home.x() + aim_.x;
     input.z = home.z() + aim_.z;
-    input.tilt_x = controls.d - controls.a;
-    input.tilt_z = controls.s - controls.w;
-    input.swing = swing ? 1 : 0;
+    input.tilt_x = controls.d - controls.a + controls.tilt_x;
+    input.tilt_z = controls.s - controls.w + controls.tilt_z;
+    input.swing = controls.swings() ? 1 : 0;
     run.want(input);
   }
 
  private:
-  static constexpr double court = 1.2;          // m from the middle to each side
   static constexpr double walking_speed = 1.5;  // m/s, with the arrow keys
 
+  /// One for each mode, and for the most help that was taken in the round.
   void keep_best(GameRun& run) {
     if (run.settings().player != PlayerKind::human || run.is_replay()) return;
-    if (best_ < 0) run.keep_best(best_ = kept_number(best_score));
-    if (run.round().score.best > best_) keep_number(best_score, best_ = run.round().score.best);
+    const double assist = std::max(run.settings().assist, 100 * run.round().points.assist);
+    const std::string name = std::string("racket_game_") + mode_name(run.settings()) + "_" +
+                             std::to_string(std::lround(assist));
+    if (name != best_name_) {
+      best_name_ = name;
+      run.use_best(best_ = kept_number(name));
+    }
+    if (run.round().points.best > best_) keep_number(name, best_ = run.round().points.best);
   }
 
   struct Aim {
     double x = 0, z = 0;
   } aim_;
-  bool swung_ = false;
-  static constexpr const char* best_score = "racket_game_best";
-  int best_ = -1;  // not read yet
+  std::string best_name_;
+  int best_ = 0;
 };
 
 /// Gives the demo to a player's hands.

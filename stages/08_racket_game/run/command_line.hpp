@@ -40,9 +40,10 @@ inline GameRun& game_for(const std::string& option, Simulation& simulation) {
   throw BadInput(option + " is not allowed with --player none: only the game has inputs");
 }
 
-/// What this stage's command line has besides that of all stages. The answers go into `is_game`
-/// and `asked`, which must live as long as the options.
-inline std::vector<StageOption> racket_game_options(bool& is_game, InputRecord& asked) {
+/// What this stage's command line has besides that of all stages. The answers go into `is_game`,
+/// `asked` and `keys`, which must live as long as the options.
+inline std::vector<StageOption> racket_game_options(bool& is_game, InputRecord& asked,
+                                                    std::string& keys) {
   using SimulationPtr = std::unique_ptr<Simulation>;
   StageOption player{"--player", "NAME",
                      "human, autopilot, blind, idle, or none: the bare physics of ball and racket",
@@ -61,7 +62,14 @@ inline std::vector<StageOption> racket_game_options(bool& is_game, InputRecord& 
     GameRun& game = game_for("--replay", *simulation);
     game.replay(std::make_shared<const InputLog>(read_input_log(path)));
   };
+  const auto other_keys = [&keys](SimulationPtr& simulation, const std::string& path) {
+    game_for("--keys", *simulation);
+    InputFile(std::string("--keys"), path);  // can it be read? Its lines are a window's
+    keys = path;
+  };
   return {player,
+          {"--keys", "FILE", "other keys, a line for each: 'J = A' lets J do what A does",
+           with_files(other_keys)},
           {"--record-input", "FILE", "write the last round's inputs when the program ends",
            with_files(record)},
           {"--replay", "FILE", "play recorded inputs in place of a player", with_files(replay)}};

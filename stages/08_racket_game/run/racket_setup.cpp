@@ -18,6 +18,13 @@ std::vector<Parameter> RacketSetup::parameters() {
   velocity.meaning = "velocity x,y,z of the disc; for the player none";
   const std::vector<Parameter> of_run{
       velocity,
+      {"mode",
+       "",
+       "what counts in the game: hits, landings in a ring, or hits on the beat, unseen",
+       choice_of(mode, {"keep-up", "target", "blind"}),
+       {},
+       {},
+       true},
       {"assist", "%", "how much of the aim is taken off a human player", &assist, Range{0, 100},
        Range{0, 100}},
       {"strike", "", "the blind player's racket meets the ball while it slows down or speeds up",

@@ -18,9 +18,10 @@ struct RacketSetup {
   Eigen::Vector3d racket_normal{0, 1, 0};    // any length
   Eigen::Vector3d racket_velocity{0, 0, 0};  // m/s
   // Of the game
-  double assist = 30;                           // %
-  double knock = 0.2;                           // m, for the blind player's ball
-  enum { slowing, speeding } strike = slowing;  // how the blind player's racket meets the ball
+  enum { keep_up, target, blind } mode = keep_up;  // what counts
+  double assist = 30;                              // %
+  double knock = 0.2;                              // m, for the blind player's ball
+  enum { slowing, speeding } strike = slowing;     // how the blind player's racket meets the ball
 
   std::vector<Parameter> parameters();
 

@@ -1,0 +1,109 @@
+#include "08_racket_game/picture/marks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "app/drawing.hpp"
+#include "app/palette.hpp"
+#include "app/space_drawing.hpp"
+
+namespace bounce {
+
+using Eigen::Vector3d;
+
+void draw_landing(Canvas& canvas, const Camera& camera, const Court& court) {
+  const double height = court.racket.disc.centre.y(), radius = court.racket.radius;
+  const Landing next = landing(court.ball, court.racket.gravity, height + radius);
+  if (next.after == never || next.after > 3) return;
+  Vector3d place = next.place;
+  place.y() = height + 0.004;
+  const double size = radius * (0.5 + 1.5 * std::min(1.0, next.after));
+  draw_path(canvas, camera, circle(place, Vector3d::UnitY(), size, 40), accent, 2);
+  for (const Vector3d& arm : {Vector3d(0.05, 0, 0), Vector3d(0, 0, 0.05)}) {
+    const std::array<Vector3d, 2> line{place - arm, place + arm};
+    draw_path(canvas, camera, line, accent, 2);
+  }
+}
+
+void draw_goal(Canvas& canvas, const Camera& camera, const Court& court) {
+  const Settings& settings = court.game->settings();
+  const Vector3d home = court.home;
+  if (settings.mode == Settings::keep_up) {
+    const auto corner = [&](double x, double up) -> Vector3d { return home + Vector3d(x, up, 0); };
+    constexpr double half = 0.5, low = rules::band_low, high = rules::band_high;  // m
+    const std::array<Vector3d, 4> band{corner(-half, low), corner(half, low), corner(half, high),
+                                       corner(-half, high)};
+    draw_patch(canvas, camera, band, accent.faded(0.10));
+    for (const double edge : {low, high}) {
+      const std::array<Vector3d, 2> line{corner(-half, edge), corner(half, edge)};
+      draw_dashed_path(canvas, camera, line, accent.faded(0.6), 1);
+    }
+    if (const Vector3d side = corner(half, low); camera.sees(side)) {
+      draw_label(canvas, {camera.at(side).x + 8, camera.at(side).y - 20}, "a top here: + 1",
+                 accent);
+    }
+  }
+  if (settings.mode == Settings::target) {
+    const Round& round = court.game->round();
+    Vector3d middle = aim_after(round.score.hits, settings, round);
+    middle.y() += 0.006;
+    for (const double radius : {0.1, 0.2, 0.35}) {
+      draw_path(canvas, camera, circle(middle, Vector3d::UnitY(), radius, 48), accent,
+                radius < 0.15 ? 3.0f : 1.5f);
+    }
+    if (const Vector3d below = middle + Vector3d(0, 0, 0.4); camera.sees(below)) {
+      draw_label(canvas, camera.at(below), "send it here", accent, Align::centre);
+    }
+  }
+}
+
+void draw_beat(Canvas& canvas, Point centre, double phase, double flash) {
+  constexpr float radius = 54;
+  if (flash > 0) canvas.disc(centre, radius, accent.faded(0.7 * flash));
+  canvas.circle(centre, radius, palette::ink, 2);
+  const std::array<Point, 2> top{Point{centre.x, centre.y - radius - 10},
+                                 Point{centre.x, centre.y - radius + 10}};
+  canvas.line(top, palette::ink, 4);
+  const auto angle = static_cast<float>(2 * std::numbers::pi * phase);
+  const Point tip{centre.x + radius * std::sin(angle), centre.y - radius * std::cos(angle)};
+  const std::array<Point, 2> hand{centre, tip};
+  canvas.line(hand, accent, 4);
+  canvas.text({centre.x, centre.y + radius + 10}, "swing when it is up", palette::ink,
+              Align::centre, TextSize::normal);
+}
+
+void draw_arrows(Canvas& canvas, const Camera& camera, const Court& court, const Moment& now,
+                 const Moment* touch) {
+  const auto arrow = [&](const Vector3d& from, const Vector3d& to, Colour colour, Shaft shaft) {
+    if (!camera.sees(from) || !camera.sees(to)) return;
+    draw_arrow(canvas, camera.at(from), camera.at(to), colour, shaft);
+  };
+  if (touch != nullptr && camera.sees(touch->nearest.point)) {
+    const Vector3d at = touch->nearest.point;
+    for (const Vector3d& arm : {Vector3d(0.04, 0, 0.04), Vector3d(0.04, 0, -0.04)}) {
+      const std::array<Vector3d, 2> line{at - arm, at + arm};
+      draw_path(canvas, camera, line, palette::ink, 2);
+    }
+    const double weight = court.racket.mass * court.racket.gravity;
+    if (weight > 0 && touch->push.norm() > 0) {
+      const double length = 0.06 * std::sqrt(touch->push.norm() / weight);
+      const Vector3d tip = at + length * touch->push.normalized();
+      arrow(at, tip, palette::spring, Shaft::force);
+      if (camera.sees(tip)) {
+        draw_label(canvas, {camera.at(tip).x + 12, camera.at(tip).y - 8},
+                   "push " + with_unit(touch->push.norm(), "N"), palette::spring);
+      }
+    }
+    draw_label(canvas, {camera.at(at).x + 14, camera.at(at).y + 8}, "touch", palette::ink);
+  }
+  const Vector3d ball = now.ball.position, tip = ball + 0.15 * now.ball.velocity;
+  arrow(ball, tip, palette::motion, Shaft::velocity);
+  if (camera.sees(tip)) {
+    draw_label(canvas, {camera.at(tip).x + 14, camera.at(tip).y - 6},
+               with_unit(now.ball.velocity.norm(), "m/s"), palette::motion);
+  }
+}
+
+}  // namespace bounce
