@@ -1,42 +1,52 @@
 #include "run_program.hpp"
 
+#ifndef _WIN32
 #include <sys/wait.h>
+#endif
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
+#include "temporary_folder.hpp"
+
 namespace bounce::test {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-struct Folder {
-  fs::path path = make();
-  ~Folder() { fs::remove_all(path); }
-  static fs::path make() {
-    std::string name = (fs::temp_directory_path() / "bounce_test_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) std::abort();
-    return name;
-  }
-};
-
-const fs::path& folder() {
-  static const Folder one;
-  return one.path;
+static const fs::path& folder() {
+  static const TemporaryFolder one;
+  return one.path();
 }
-
-}  // namespace
 
 std::string work_folder() { return (folder() / "work").string(); }
 
+#ifdef _WIN32  // the words of cmd.exe
+std::string quoted(const std::string& word) { return '"' + word + '"'; }
+static const char* const nothing = "NUL";
+static const char* const change_folder = "cd /d ";
+static int exit_code(int status) { return status; }
+/// "A=b C=d" as `set "A=b" && set "C=d" &&`.
+static std::string setting(const std::string& environment) {
+  std::istringstream variables(environment);
+  std::string all;
+  for (std::string one; variables >> one;) all += "set \"" + one + "\" && ";
+  return all;
+}
+#else
 std::string quoted(const std::string& word) {
   std::string text = "'";
   for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return text + "'";
 }
+static const char* const nothing = "/dev/null";
+static const char* const change_folder = "cd ";
+static int exit_code(int status) {
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+static std::string setting(const std::string& environment) { return environment + " "; }
+#endif
 
 std::string read_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -51,13 +61,14 @@ Outcome run_program_with(const std::string& environment, const std::string& comm
   const fs::path& here = folder();
   fs::remove_all(here);
   fs::create_directories(here / "work");
-  const std::string shell = "cd " + quoted((here / "work").string()) + " && " + environment + " " +
-                            quoted(BOUNCE_BIN_DIR) + "/" + command + " > " +
-                            quoted((here / "out").string()) + " 2> " +
-                            quoted((here / "err").string()) + " < /dev/null";
-  const int status = std::system(shell.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
-          read_file((here / "out").string()), read_file((here / "err").string())};
+  const char* emulator = std::getenv("BOUNCE_EMULATOR");  // of another processor: qemu-aarch64
+  const std::string out = (here / "out").string(), err = (here / "err").string();
+  const std::string shell = change_folder + quoted((here / "work").string()) + " && " +
+                            setting(environment) + (emulator ? emulator + std::string(" ") : "") +
+                            quoted(BOUNCE_BIN_DIR) + "/" + command + " > " + quoted(out) + " 2> " +
+                            quoted(err) + " < " + nothing;
+  const int code = exit_code(std::system(shell.c_str()));
+  return {code, read_file(out), read_file(err)};
 }
 
 }  // namespace bounce::test

@@ -74,8 +74,11 @@ void ImGuiCanvas::load_fonts() {
   int width = 0, height = 0;
   atlas.GetTexDataAsRGBA32(&pixels, &width, &height);  // lays everything out
   for (std::size_t i = 0; i < ball_sizes.size(); ++i) {
-    const ImFontAtlasCustomRect& place = *atlas.GetCustomRectByIndex(ball_pictures_[i]);
-    paint_ball(atlas.TexPixelsRGBA32 + place.Y * width + place.X, width, ball_sizes[i]);
+    ImVec2 from, to;  // as parts of the whole: of what is in pixels the names differ by version
+    atlas.CalcCustomRectUV(atlas.GetCustomRectByIndex(ball_pictures_[i]), &from, &to);
+    const long x = std::lround(from.x * static_cast<float>(width));
+    const long y = std::lround(from.y * static_cast<float>(height));
+    paint_ball(reinterpret_cast<std::uint32_t*>(pixels) + y * width + x, width, ball_sizes[i]);
   }
 }
 
@@ -86,21 +89,21 @@ void ImGuiCanvas::load_fonts_into(ImFontAtlas& atlas) {
       "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",  // Fedora
       "/System/Library/Fonts/Supplemental/Arial.ttf",       // macOS
       "C:/Windows/Fonts/segoeui.ttf"};
-  static constexpr float sizes[] = {13, 16, 18, 64};
   ImFontConfig crisp;
   crisp.OversampleH = crisp.OversampleV = 1;
   crisp.PixelSnapH = true;
   for (const char* path : candidates) {
     if (!std::filesystem::exists(path)) continue;
     // The normal size first: ImGui takes the first font for its own widgets.
-    fonts_[1] = atlas.AddFontFromFileTTF(path, sizes[1], &crisp);
-    fonts_[0] = atlas.AddFontFromFileTTF(path, sizes[0], &crisp);
-    fonts_[2] = atlas.AddFontFromFileTTF(path, sizes[2], &crisp);
+    fonts_[1] = atlas.AddFontFromFileTTF(path, font_sizes_[1], &crisp);
+    fonts_[0] = atlas.AddFontFromFileTTF(path, font_sizes_[0], &crisp);
+    fonts_[2] = atlas.AddFontFromFileTTF(path, font_sizes_[2], &crisp);
     static constexpr ImWchar digits[] = {'0', '9', 0};
-    fonts_[3] = atlas.AddFontFromFileTTF(path, sizes[3], &crisp, digits);
+    fonts_[3] = atlas.AddFontFromFileTTF(path, font_sizes_[3], &crisp, digits);
     return;
   }
   fonts_.fill(atlas.AddFontDefault());
+  font_sizes_.fill(13);
 }
 
 ImU32 ImGuiCanvas::ink(Colour colour) const {
@@ -158,13 +161,15 @@ void ImGuiCanvas::text(Point at, std::string_view words, Colour colour, Align al
                   : align == Align::right ? at.x - width
                                           : at.x - width / 2;
   ImFont* font = fonts_[static_cast<std::size_t>(size)];
-  list().AddText(font, font->FontSize, {std::round(x), std::round(at.y)}, ink(colour), words.data(),
+  list().AddText(font, font_sizes_[static_cast<std::size_t>(size)],
+                 {std::round(x), std::round(at.y)}, ink(colour), words.data(),
                  words.data() + words.size());
 }
 
 float ImGuiCanvas::text_width(std::string_view words, TextSize size) const {
   ImFont* font = fonts_[static_cast<std::size_t>(size)];
-  return font->CalcTextSizeA(font->FontSize, 1e9f, 0, words.data(), words.data() + words.size()).x;
+  const float height = font_sizes_[static_cast<std::size_t>(size)];
+  return font->CalcTextSizeA(height, 1e9f, 0, words.data(), words.data() + words.size()).x;
 }
 
 void ImGuiCanvas::push_clip(Rect area) {

@@ -33,7 +33,8 @@ class ImGuiCanvas final : public Canvas {
   ImU32 filling(Colour colour) const;
   void load_fonts_into(ImFontAtlas& atlas);
 
-  std::array<ImFont*, 4> fonts_{};
+  std::array<ImFont*, 4> fonts_{};  // of these heights [px]; ImGui 1.92 no longer keeps them
+  std::array<float, 4> font_sizes_{13, 16, 18, 64};
   // Balls of these diameters [px]; the next larger one is drawn smaller.
   static constexpr std::array<int, 9> ball_sizes{8, 11, 16, 22, 32, 45, 64, 90, 128};
   std::array<int, ball_sizes.size()> ball_pictures_{};  // in the texture

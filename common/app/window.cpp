@@ -18,6 +18,7 @@ Video::Video(bool seen) {
     SDL_SetHint(SDL_HINT_RENDER_DRIVER, "software");
   }
   SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");  // Ctrl-C ends the program
+  SDL_SetMainReady();                             // main is ours (SDL_MAIN_HANDLED)
   if (SDL_Init(SDL_INIT_VIDEO) != 0) {
     throw MachineFailure(std::string("no display: ") + SDL_GetError());
   }

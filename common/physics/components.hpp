@@ -26,13 +26,15 @@ auto components(Vector& vector) {
   }
 }
 
-/// Dot product; in one dimension the product.
-template <class Vector>
-double dot(const Vector& a, const Vector& b) {
-  if constexpr (std::is_same_v<Vector, double>) {
+/// Dot product; in one dimension the product. The order of the sum is written out: Eigen 5 adds
+/// three products in another one than Eigen 3.4, and a run's last bits would depend on that.
+template <class A, class B>
+double dot(const A& a, const B& b) {
+  if constexpr (std::is_same_v<A, double>) {
     return a * b;
   } else {
-    return a.dot(b);
+    static_assert(A::SizeAtCompileTime == 3 && B::SizeAtCompileTime == 3);
+    return a[0] * b[0] + (a[1] * b[1] + a[2] * b[2]);
   }
 }
 

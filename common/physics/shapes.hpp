@@ -2,6 +2,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "physics/components.hpp"
+
 namespace bounce {
 
 /// The infinite plane of all points p with normal . p + offset = 0. The normal has unit length:
@@ -22,7 +24,7 @@ struct Plane {
   // [from_equation]
 
   /// How far `point` is from the plane [m]; negative behind it.
-  double distance(const Eigen::Vector3d& point) const { return normal.dot(point) + offset; }
+  double distance(const Eigen::Vector3d& point) const { return dot(normal, point) + offset; }
 
   /// The nearest point of the plane.
   Eigen::Vector3d foot(const Eigen::Vector3d& point) const {
@@ -39,7 +41,7 @@ struct Disc {
   Eigen::Vector3d angular_velocity{0, 0, 0};  // rad/s, about the centre
 
   /// How far `point` is above the disc's plane [m]; negative behind it.
-  double height(const Eigen::Vector3d& point) const { return normal.dot(point - centre); }
+  double height(const Eigen::Vector3d& point) const { return dot(normal, point - centre); }
 
   /// The nearest point of the disc's plane, seen from the centre.
   Eigen::Vector3d outwards(const Eigen::Vector3d& point) const {

@@ -43,9 +43,13 @@ std::optional<double> parse_number(std::string_view text) {
 
 std::string to_text(double value) {
   std::array<char, 400> shortest{}, fixed{};
-  for (int digits = 0; digits < 17; ++digits) {
+  const auto reads_back = [&](int digits) {
     std::snprintf(shortest.data(), shortest.size(), "%.*e", digits, value);
-    if (std::strtod(shortest.data(), nullptr) != value) continue;
+    return std::strtod(shortest.data(), nullptr) == value;
+  };
+  // Most numbers of a trace need 16 or 17 digits: those are not tried with fewer.
+  for (int digits = reads_back(14) ? 0 : 15; digits < 17; ++digits) {
+    if (!reads_back(digits)) continue;
     // Of the two ways to write these digits the shorter one; as to_chars does.
     const std::string scientific = shortest.data();
     const std::size_t e = scientific.find('e');

@@ -30,7 +30,9 @@ std::string setting_of(const Simulation& simulation) {
 
 /// The largest 1 x 10^n or 3 x 10^n up to `value`.
 double round_step(double value) {
-  const double power = std::pow(10, std::floor(std::log10(value)));
+  const double n = std::floor(std::log10(value));
+  // Of 10^3 every C library gives the nearest number, of 10^-3 not (Windows').
+  const double power = n < 0 ? 1 / std::pow(10, -n) : std::pow(10, n);
   return value >= 3 * power ? 3 * power : power;
 }
 

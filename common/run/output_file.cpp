@@ -8,6 +8,8 @@
 #include "physics/text.hpp"
 
 #ifdef _WIN32
+#include <fcntl.h>
+#include <io.h>
 #include <process.h>
 #else
 #include <unistd.h>
@@ -29,6 +31,9 @@ std::string part_path(const std::string& path) {
 OutputFile::OutputFile(std::string option, const std::string& path)
     : option_(std::move(option)), path_(path), part_(path) {
   if (path == "-") {
+#ifdef _WIN32
+    _setmode(_fileno(stdout), _O_BINARY);  // lines end in \n, as they do in a file
+#endif
     file_ = stdout;
     return;
   }

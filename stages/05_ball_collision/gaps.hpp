@@ -9,7 +9,7 @@
 // [meeting]
 // YOUR TURN 1 of 3: how two balls touch. (Lesson: "The idea")
 // You have: position [m], velocity [m/s] and radius [m] of both balls. `.norm()` is a vector's
-// length, `a.dot(b)` the dot product.
+// length, `dot(a, b)` the dot product.
 // Must hold: overlap = r1 + r2 - d, where d is the distance of the centres. If it is not positive,
 // return with nothing else filled in. Else e12 has length 1 and points from ball 2 to ball 1, and
 // separation_speed is the part of v1 - v2 along it. Where the centres coincide (d = 0, or so small

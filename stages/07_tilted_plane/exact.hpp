@@ -22,14 +22,14 @@ class TiltedPlaneExact {
                      scene.radius,
                      {scene.stiffness, scene.damping, scene.contact}} {
     const Eigen::Vector3d gravity(0, -scene.gravity, 0);
-    downhill = gravity - plane.normal.dot(gravity) * plane.normal;
+    downhill = gravity - dot(plane.normal, gravity) * plane.normal;
   }
 
   // ---- The two parts of the movement (event_driven_in_space.hpp)
   const BouncePhases& bounce() const { return along_normal; }
   /// Distance from the plane, and velocity away from it.
   State<double> along(const Ball& ball) const {
-    return {plane.distance(ball.position), plane.normal.dot(ball.velocity)};
+    return {plane.distance(ball.position), dot(plane.normal, ball.velocity)};
   }
   /// The rest: the foot, and its velocity.
   Ball beside(const Ball& ball) const {

@@ -58,7 +58,7 @@ struct Racket {
     // Distance of the centre from the racket, and velocity away from the point that is touched.
     const Disc racket = disc_at(t);
     const auto [point, n, y] = nearest(racket, state.position);
-    const double v = n.dot(state.velocity - racket.velocity_of(point));
+    const double v = dot(n, state.velocity - racket.velocity_of(point));
     // Gravity, downwards.
     Eigen::Vector3d force(0, -mass * gravity, 0);
     // Only while the ball overlaps the racket: a spring, and a damper against the velocity.
@@ -110,7 +110,7 @@ struct Racket {
     const Eigen::Vector3d up = side * racket.normal;
     const Eigen::Vector3d out = (rim - racket.centre) / racket.radius;
     const double length = (ball - rim).norm();
-    const double x = out.dot(ball - rim) / length, y = up.dot(ball - rim) / length;
+    const double x = dot(out, ball - rim) / length, y = dot(up, ball - rim) / length;
     return {rim, x * (1 + 2 * y * y) * out - y * (1 + 2 * x * x) * up, length * (x * x - y * y)};
   }
 
@@ -127,7 +127,7 @@ struct Racket {
     const NearestPoint at = nearest(racket, state.position);
     const Eigen::Vector3d v = state.velocity - racket.velocity_of(at.point);
     const Eigen::Vector3d push = force(t, state) + Eigen::Vector3d(0, mass * gravity, 0);
-    return push.dot(v) - stiffness * pressed * at.direction.dot(v);
+    return dot(push, v) - stiffness * pressed * dot(at.direction, v);
   }
 
   Energy energy(double t, const State<Eigen::Vector3d>& state) const {

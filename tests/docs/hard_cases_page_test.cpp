@@ -22,9 +22,9 @@ class TestNames {
     }
     // What needs SDL2, glibc's traps or libFuzzer is in the sources everywhere.
     const std::string tests = std::string(BOUNCE_SOURCE_DIR) + "/tests/";
-    for (const std::string file :
-         {"app/playback_test.cpp", "app/racket_game_test.cpp",
-          "hard_cases/floating_point_traps_test.cpp", "hard_cases/CMakeLists.txt"}) {
+    for (const std::string file : {"app/playback_test.cpp", "app/racket_game_test.cpp",
+                                   "hard_cases/floating_point_traps_test.cpp",
+                                   "hard_cases/CMakeLists.txt", "CMakeLists.txt"}) {
       sources_ += test::read_file(tests + file);
     }
   }

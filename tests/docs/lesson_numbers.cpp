@@ -465,7 +465,7 @@ void slope_hops() {
 struct LongNormal : TiltedPlane {
   Eigen::Vector3d used{1, 1, 0};
   Eigen::Vector3d acceleration(double /*t*/, const State<Eigen::Vector3d>& state) const {
-    const double y = used.dot(state.position);
+    const double y = dot(used, state.position);
     if (!(y < radius)) return Eigen::Vector3d::Zero();
     return stiffness * (radius - y) * used / mass;
   }
@@ -479,10 +479,10 @@ void long_normal() {
     if (unit) scene.used = n;
     State<Eigen::Vector3d> state{0.5 * n, -1.0 * n};
     const double dt = 1e-6;
-    const auto touches = [&] { return scene.used.dot(state.position) < scene.radius; };
+    const auto touches = [&] { return dot(scene.used, state.position) < scene.radius; };
     const auto step = [&] { semi_implicit_euler(scene, 0, state, dt); };
     while (!touches()) step();
-    const double distance = n.dot(state.position);
+    const double distance = dot(n, state.position);
     long steps = 0;
     for (; touches(); ++steps) step();
     row({unit ? "(1, 1, 0) / 1.41" : "(1, 1, 0)", text("%.4f", distance),

@@ -17,14 +17,6 @@ namespace bounce::test {
 
 namespace fs = std::filesystem;
 
-ChildFolder::ChildFolder() : path_((fs::temp_directory_path() / "bounce_child_XXXXXX").string()) {
-  if (mkdtemp(path_.data()) == nullptr) std::abort();
-}
-ChildFolder::~ChildFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
 Child ChildFolder::run(const std::string& program, const std::vector<std::string>& words,
                        const std::vector<InputFile>& files, double seconds) {
   const std::string work = path_ + "/run", out = path_ + "/out", err = path_ + "/err";

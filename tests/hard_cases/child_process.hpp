@@ -2,6 +2,8 @@
 #include <string>
 #include <vector>
 
+#include "temporary_folder.hpp"
+
 namespace bounce::test {
 
 /// How a program went.
@@ -20,11 +22,6 @@ struct InputFile {
 /// A folder in which programs of the course run, one after the other.
 class ChildFolder {
  public:
-  ChildFolder();
-  ~ChildFolder();
-  ChildFolder(const ChildFolder&) = delete;
-  ChildFolder& operator=(const ChildFolder&) = delete;
-
   /// Runs a program in an empty folder, without a shell and without a display. After so many
   /// seconds it is interrupted, and after twice as many again ended. The files stand in ../in.
   Child run(const std::string& program, const std::vector<std::string>& words,
@@ -34,7 +31,8 @@ class ChildFolder {
   const std::string& path() const { return path_; }
 
  private:
-  std::string path_;
+  TemporaryFolder folder_;
+  std::string path_ = folder_.path().string();
 };
 
 }  // namespace bounce::test

@@ -42,7 +42,7 @@ std::string long_normal() {
 std::string no_normal() {
   const Eigen::Vector3d normal(0, 0, 0), n = normal / normal.norm();
   Eigen::Vector3d position(0, 1, 0), velocity(0, 0, 0);
-  const double push = 1e4 * std::max(0.0, 0.1 - n.dot(position));
+  const double push = 1e4 * std::max(0.0, 0.1 - dot(n, position));
   velocity += push * n * 1e-3;
   position += velocity * 1e-3;
   return "0 / 0: after one step " + std::to_string((position.array() != position.array()).count()) +

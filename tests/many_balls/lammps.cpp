@@ -8,6 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "temporary_folder.hpp"
+
 namespace bounce::test {
 namespace {
 
@@ -89,26 +91,18 @@ State<Eigen::Matrix3Xd> read_dump(const fs::path& file, Eigen::Index count) {
 
 std::optional<LammpsRun> run_lammps(const Crowd& start, long steps, double dt) {
   if (std::system("command -v lmp >/dev/null") != 0) return std::nullopt;
-  std::string name = (fs::temp_directory_path() / "bounce_lammps_XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  const fs::path folder = name;
+  const TemporaryFolder own;
+  const fs::path& folder = own.path();
   write_data(start, folder / "balls.data");
   write_input(start, steps, dt, folder / "in.bounce");
-  const std::string command = "cd '" + name + "' && OMP_NUM_THREADS=1 lmp -in in.bounce >out 2>&1";
+  const std::string command =
+      "cd '" + folder.string() + "' && OMP_NUM_THREADS=1 lmp -in in.bounce >out 2>&1";
   const int status = std::system(command.c_str());
   std::ostringstream log;
   log << std::ifstream(folder / "out").rdbuf();
-  std::optional<LammpsRun> run;
-  try {
-    const double seconds = loop_seconds(log.str());
-    if (status != 0) throw std::runtime_error("lmp did not end well:\n" + log.str());
-    run = {read_dump(folder / "balls.dump", start.scene.mass.size()), seconds};
-  } catch (...) {
-    fs::remove_all(folder);
-    throw;
-  }
-  fs::remove_all(folder);
-  return run;
+  const double seconds = loop_seconds(log.str());
+  if (status != 0) throw std::runtime_error("lmp did not end well:\n" + log.str());
+  return LammpsRun{read_dump(folder / "balls.dump", start.scene.mass.size()), seconds};
 }
 
 }  // namespace bounce::test

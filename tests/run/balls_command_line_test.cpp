@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -18,10 +19,14 @@ namespace {
 
 const std::string program = "05_ball_collision ";
 
+std::string temporary(const std::string& name) {
+  return (std::filesystem::temp_directory_path() / name).string();
+}
+
 /// A balls file with this text, in the system's folder for such things.
 std::string balls_file(const std::string& text) {
   const std::string path =
-      "/tmp/bounce_balls_" + std::to_string(std::hash<std::string>{}(text)) + ".csv";
+      temporary("bounce_balls_" + std::to_string(std::hash<std::string>{}(text)) + ".csv");
   std::ofstream(path, std::ios::binary) << text;
   return path;
 }
@@ -99,7 +104,7 @@ TEST_CASE("a scene's defaults give way to what is set, wherever it stands") {
 }
 
 TEST_CASE("a saved run of many balls goes on to the bit") {
-  const std::string state = "/tmp/bounce_many_balls.state";
+  const std::string state = temporary("bounce_many_balls.state");
   const std::string own =
       "--balls " + balls_file(header + "1,0.1,0,1,0,0,0,0\n2,0.2,0.1,1.3,0,0,0,0\n");
   const std::string scene = "--set scene=drop --set count=70 --set damping=9";
@@ -125,7 +130,7 @@ TEST_CASE("stage 5's reference: rows at the times asked for, a tolerance, and a 
   CHECK(through.code == 0);
   CHECK(through.out.find("\n0.31,15,") != std::string::npos);
   // 0.31 s is in the middle of the collision: those who touch are saved with the balls.
-  const std::string state = "/tmp/bounce_reference.state";
+  const std::string state = temporary("bounce_reference.state");
   CHECK(run_program(how + "--headless --duration 0.31 --save " + state).code == 0);
   const Outcome on = run_program(program + "--load " + state + " --csv - --at 2 --duration 2");
   CHECK(on.code == 0);
@@ -161,7 +166,7 @@ TEST_CASE("a run of a few balls says how far it is from the reference") {
 
 TEST_CASE("1000 balls in a heap, saved at any step, go on to the bit on the fast path") {
   // The neighbour list of the run that goes on is a new one: no result may depend on its age.
-  const std::string state = "/tmp/bounce_heap.state";
+  const std::string state = temporary("bounce_heap.state");
   const std::string heap = "--set scene=drop --set count=1000 --dt 2e-4 --threads ";
   for (const std::string method : {"semi-implicit-euler", "velocity-verlet"}) {
     const std::string how = heap + "2 --method " + method;
@@ -184,7 +189,7 @@ TEST_CASE("1000 balls in a heap, saved at any step, go on to the bit on the fast
 }
 
 TEST_CASE("the saved state of many balls is compact, and damage to it is noticed") {
-  const std::string state = "/tmp/bounce_damaged_heap.state";
+  const std::string state = temporary("bounce_damaged_heap.state");
   const Outcome run = run_program(
       program + "--headless --set scene=drop --set count=1000 --duration 0.01 --save " + state);
   REQUIRE(run.code == 0);

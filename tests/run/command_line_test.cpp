@@ -169,7 +169,8 @@ TEST_CASE("a run that was saved and goes on gives the same bits as one that neve
       const std::string setting = "03_damping --headless --dt 0.0007 --method " + method;
       CAPTURE(setting);
       CAPTURE(stop);
-      const std::string state = std::filesystem::temp_directory_path() / "bounce_saved_state";
+      const std::string state =
+          (std::filesystem::temp_directory_path() / "bounce_saved_state").string();
       REQUIRE(run_program(setting + " --duration " + stop + " --save " + state).code == 0);
       const Outcome later = run_program("03_damping --load " + state + " --csv - --at 2,3");
       CHECK(later.code == 0);
@@ -186,7 +187,8 @@ TEST_CASE("a run that was saved and goes on gives the same bits as one that neve
 }
 
 TEST_CASE("a damaged, foreign or missing saved state is refused") {
-  const std::string state = std::filesystem::temp_directory_path() / "bounce_damaged_state";
+  const std::string state =
+      (std::filesystem::temp_directory_path() / "bounce_damaged_state").string();
   REQUIRE(run_program("03_damping --headless --duration 1 --save " + state).code == 0);
   const std::string text = test::read_file(state);
   const auto refused = [&](const std::string& content, const std::string& stage) {
@@ -314,7 +316,8 @@ TEST_CASE(
 }
 
 TEST_CASE("bad input leaves a file that was there before as it was") {
-  const std::string path = std::filesystem::temp_directory_path() / "bounce_old_trace.csv";
+  const std::string path =
+      (std::filesystem::temp_directory_path() / "bounce_old_trace.csv").string();
   std::ofstream(path) << "precious";
   CHECK(run_program("03_damping --headless --dt -1 --csv " + test::quoted(path)).code == 2);
   CHECK(test::read_file(path) == "precious");
@@ -462,7 +465,8 @@ TEST_CASE("two outputs in one file are refused") {
 }
 
 TEST_CASE("a trace that does not fit on the disk leaves the old one as it was") {
-  const std::string path = std::filesystem::temp_directory_path() / "bounce_limited_trace.csv";
+  const std::string path =
+      (std::filesystem::temp_directory_path() / "bounce_limited_trace.csv").string();
   std::ofstream(path) << "precious";
   const Outcome run =
       test::run_program_with("trap '' XFSZ; ulimit -f 16;", "03_damping --headless --csv " + path);

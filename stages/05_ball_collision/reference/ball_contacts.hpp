@@ -183,7 +183,7 @@ inline EventValue BallContacts::event_value(const Event& event, double /*t*/, co
   const Eigen::Vector3d aside = gap.velocity - gap.speed * gap.direction;
   const double turning = two.is_surface() ? 0 : aside.squaredNorm() / gap.distance;
   const SpringDamper law = law_of(two);
-  const double rate = -law.stiffness * gap.speed - law.damping * (a.dot(gap.direction) + turning);
+  const double rate = -law.stiffness * gap.speed - law.damping * (dot(a, gap.direction) + turning);
   const double sign = two.phase == Phase::touch ? 1 : -1;
   return {sign * force(law, gap), sign * rate};
 }

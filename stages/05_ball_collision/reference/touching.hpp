@@ -53,7 +53,7 @@ inline Gap gap_of(const BallCollision& scene, const ContactPair& two,
   const double d = between.norm();
   Eigen::Vector3d e12 = Eigen::Vector3d::UnitY();  // where the centres coincide, as in meet()
   if (d > 1e-100) e12 = between / d;
-  return {d - scene.radius[i] - scene.radius[j], velocity.dot(e12), d, e12, velocity};
+  return {d - scene.radius[i] - scene.radius[j], dot(velocity, e12), d, e12, velocity};
 }
 
 /// By how much that gap may be off [m], because positions are rounded.

@@ -69,15 +69,15 @@ class RacketExact {
   }
   Ball fly(const Ball& start, double t) const { return fly(start, gravity_, t); }
 
-  int side_of(const Ball& ball) const { return normal_.dot(ball.position) < 0 ? -1 : 1; }
+  int side_of(const Ball& ball) const { return dot(normal_, ball.position) < 0 ? -1 : 1; }
 
   /// Height above that side of the disc, and speed away from it.
   State<double> upwards(int side, const Ball& ball) const {
-    return {side * normal_.dot(ball.position), side * normal_.dot(ball.velocity)};
+    return {side * dot(normal_, ball.position), side * dot(normal_, ball.velocity)};
   }
   const BouncePhases& on_side(int side) const { return side > 0 ? front_ : back_; }
   /// Gravity towards the disc, on that side of it [m/s^2].
-  double pull(int side) const { return -side * normal_.dot(gravity_); }
+  double pull(int side) const { return -side * dot(normal_, gravity_); }
   static BouncePhases phases(const Racket& scene, int side) {
     return {scene.mass,
             side * scene.disc.normal.y() * scene.gravity,
@@ -90,7 +90,7 @@ class RacketExact {
             ball.velocity + (side_ * (height.velocity - old.velocity)) * normal_};
   }
   Eigen::Vector3d along(const Eigen::Vector3d& vector) const {
-    return vector - normal_.dot(vector) * normal_;
+    return vector - dot(normal_, vector) * normal_;
   }
   bool is_over_disc(const Ball& ball) const { return along(ball.position).norm() < disc_radius_; }
 
@@ -157,8 +157,8 @@ class RacketExact {
       const double fastest = v + (a > 0 ? faster : 0);
       return BoundedValue{
           (disc_radius_ - now.position.norm()) * (disc_radius_ + now.position.norm()),
-          -2 * now.position.dot(now.velocity),
-          -2 * (v * v + now.position.dot(pull)),
+          -2 * dot(now.position, now.velocity),
+          -2 * (v * v + dot(now.position, pull)),
           2 * (fastest * fastest + a * disc_radius_),
           0,
           a > 0 ? faster / a : never};
@@ -174,10 +174,10 @@ class RacketExact {
       const Eigen::Vector3d outwards = along(ball.position);
       const double lateral = outwards.norm();
       const double beside = std::max(0.0, lateral - disc_radius_);
-      const double height = normal_.dot(ball.position);
+      const double height = dot(normal_, ball.position);
       const double distance = std::hypot(beside, height);
-      const double leaving = beside > 0 ? beside * outwards.dot(ball.velocity) / lateral : 0;
-      const double growth = leaving + height * normal_.dot(ball.velocity);  // of distance^2 / 2
+      const double leaving = beside > 0 ? beside * dot(outwards, ball.velocity) / lateral : 0;
+      const double growth = leaving + height * dot(normal_, ball.velocity);  // of distance^2 / 2
       return BoundedValue{distance - ball_radius_, distance > 0 ? growth / distance : 0, 0,
                           gravity_.norm(), 0};
     };

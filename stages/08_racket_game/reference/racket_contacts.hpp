@@ -57,10 +57,10 @@ class RacketContacts {
   double flight_time(double /*t*/, const Ball& start) {
     const double g = gravity_.norm();
     // A ball that is below the whole racket and falls does not come back.
-    const double low = -start.position.dot(gravity_) / std::max(g, 1e-300);
+    const double low = -dot(start.position, gravity_) / std::max(g, 1e-300);
     const double away = disc_radius_ + radius_;
     const double until =
-        g > 0 ? time_to_fall(std::max(0.0, low + away), -start.velocity.dot(gravity_) / g, g)
+        g > 0 ? time_to_fall(std::max(0.0, low + away), -dot(start.velocity, gravity_) / g, g)
               : never;
     const auto gap_at = [&](double t) {
       const InRimPlane at = in_rim_plane(fly(start, t));
@@ -78,7 +78,7 @@ class RacketContacts {
   }
   void land(double /*t*/, Ball& ball) {
     if (!lands_) return;  // the search goes on from here
-    side_ = normal_.dot(ball.position) < 0 ? -1 : 1;
+    side_ = dot(normal_, ball.position) < 0 ? -1 : 1;
     place_ = in_rim_plane(ball).x < 0 ? Place::face : Place::rim;
     phase_ = Phase::touch;
   }
@@ -180,13 +180,13 @@ class RacketContacts {
   InRimPlane in_rim_plane(const Ball& ball) const {
     InRimPlane at;
     at.up = side_ * normal_;
-    at.y = at.up.dot(ball.position);
+    at.y = dot(at.up, ball.position);
     const Eigen::Vector3d along = ball.position - at.y * at.up;
     at.lateral = along.norm();
     at.out = at.lateral > 0 ? Eigen::Vector3d(along / at.lateral) : Eigen::Vector3d::Zero();
     at.x = at.lateral - disc_radius_;
-    at.vy = at.up.dot(ball.velocity);
-    at.vx = at.out.dot(ball.velocity);
+    at.vy = dot(at.up, ball.velocity);
+    at.vx = dot(at.out, ball.velocity);
     const Eigen::Vector3d round = ball.velocity - at.vy * at.up - at.vx * at.out;
     at.turn = at.lateral > 0 ? round.squaredNorm() / at.lateral : 0;
     return at;
@@ -200,7 +200,7 @@ class RacketContacts {
     double rate(const InRimPlane& s) const { return dx * s.vx + dy * s.vy; }
     /// The second derivative by time, for a ball that is accelerated by `a`.
     double bend(const InRimPlane& s, const Eigen::Vector3d& a) const {
-      return dx * (s.out.dot(a) + s.turn) + dy * s.up.dot(a) + dxx * s.vx * s.vx +
+      return dx * (dot(s.out, a) + s.turn) + dy * dot(s.up, a) + dxx * s.vx * s.vx +
              2 * dxy * s.vx * s.vy + dyy * s.vy * s.vy;
     }
   };

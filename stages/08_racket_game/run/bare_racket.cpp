@@ -93,7 +93,7 @@ double BareRacketWorld::energy_before(const EnergyBook& book, bool /*by_events*/
   const Eigen::Vector3d gravity(0, -setup.racket.gravity, 0);
   const Eigen::Vector3d pushed =
       ball.velocity - ball_at_book_start_.velocity - gravity * (t - book_start_);
-  return book.before + setup.racket.mass * setup.racket_velocity.dot(pushed);
+  return book.before + setup.racket.mass * dot(setup.racket_velocity, pushed);
 }
 
 }  // namespace bounce

@@ -12,7 +12,7 @@ inline Meeting meet(const Ball& ball1, const Ball& ball2) {
   // up. (Below 1e-100 m the squares in d underflow, and the direction would be noise.)
   meeting.e12 = Eigen::Vector3d::UnitY();
   if (d > 1e-100) meeting.e12 = between / d;
-  meeting.separation_speed = (ball2.velocity - ball1.velocity).dot(meeting.e12);
+  meeting.separation_speed = dot(ball2.velocity - ball1.velocity, meeting.e12);
   return meeting;
 }
 // [meeting]

@@ -6,7 +6,7 @@
 Eigen::Vector3d force(double /*t*/, const State<Eigen::Vector3d>& state) const {
   // Distance of the centre from the plane, and velocity away from it.
   const auto [n, d] = plane();
-  const double y = n.dot(state.position) - d, v = n.dot(state.velocity);
+  const double y = dot(n, state.position) - d, v = dot(n, state.velocity);
   // Gravity, downwards.
   Eigen::Vector3d force(0, -mass * gravity, 0);
   // Only while the ball overlaps the plane: a spring, and a damper against the velocity.

@@ -7,7 +7,7 @@ Eigen::Vector3d force(double t, const State<Eigen::Vector3d>& state) const {
   // Distance of the centre from the racket, and velocity away from the point that is touched.
   const Disc racket = disc_at(t);
   const auto [point, n, y] = nearest(racket, state.position);
-  const double v = n.dot(state.velocity - racket.velocity);
+  const double v = dot(n, state.velocity - racket.velocity);
   // Gravity, downwards.
   Eigen::Vector3d force(0, -mass * gravity, 0);
   // Only while the ball overlaps the racket: a spring, and a damper against the velocity.
