@@ -80,7 +80,7 @@ concept LocatedPhasesFor = PhasesFor<Phases, Vector> &&
 ///   void pass(event, t, state)              it happens
 ///   double time_scale()                     of the fastest contact [s]: for the first step
 /// Optional: begin(t), where the law knows the time: a piece begins; shortest_phase(), see
-/// too_short() in event_driven.hpp; and the constant jumps_without_event, if the law may do so.
+/// too_short(); jumps_without_event, if the law may; is_crowd and top_rate(), see contact_step.hpp.
 template <class Contacts, class Vector>
 concept ContactsFor = std::copy_constructible<Contacts> &&
     requires(Contacts& contacts, const typename Contacts::Event& event, double t,

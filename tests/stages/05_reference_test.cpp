@@ -4,12 +4,14 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
 
 #include "05_ball_collision/reference/ball_contacts.hpp"
 #include "05_ball_collision/run/balls_world.hpp"
+#include "05_ball_collision/scenes/scenes.hpp"
 #include "ball_reference_values.hpp"
 #include "methods.hpp"
 #include "physics/events/damped_oscillator.hpp"
@@ -172,6 +174,66 @@ TEST_CASE("stage 5: reference obeys the law of the other methods, in crowds") {
     const bool damped = start.scene.damping + start.scene.floor_damping > 0;
     CHECK(off.velocity < (damped ? 100 : 1) * dt);
     CHECK(off.position < (damped ? 10 : 0.1) * dt);
+  }
+}
+
+TEST_CASE("stage 5: in a heap reference knows of everyone who overlaps, and of nobody else") {
+  // 60 balls fall into a tray. What it has pieced together from events must be what is seen afresh.
+  const std::array<double, 2> tray{0.5, 0.5};
+  const Arrangement heap = drop(60, 0.0143, tray, 1);
+  BallCollision scene;
+  scene.tray = tray;
+  scene.mass = heap.mass;
+  scene.radius = heap.radius;
+  for (const double damping : {0.0, 20.0}) {
+    scene.damping = scene.floor_damping = damping;
+    const auto numbers = [](const BallContacts& contacts) {
+      NumberWriter writer;
+      BallContacts::remembered(contacts, writer);
+      return writer.take();
+    };
+    Walk walk({scene, heap.balls}, 0, heap.balls, 1e-9);
+    std::size_t most = 0;
+    for (int i = 1; i <= 500; ++i) {
+      const double t = 1e-3 * i;
+      REQUIRE(walk.reach(t, 100000));
+      const auto held = numbers(walk.contacts());
+      CAPTURE(t);
+      CHECK(held == numbers(BallContacts(scene, walk.at(t))));
+      most = std::max(most, held.size() / 5);
+    }
+    CHECK(most > 80);  // contacts at a time: it was a heap
+  }
+}
+
+TEST_CASE("stage 5: a flight ends with the first touch of all pairs, however far apart they are") {
+  std::mt19937_64 generator(7);
+  const auto random = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(generator);
+  };
+  for (int crowd = 0; crowd < 100; ++crowd) {
+    const double width = std::pow(10, crowd % 5 - 1.0);
+    std::vector<std::vector<double>> rows;
+    for (int i = 0; i < 40; ++i) {
+      rows.push_back({1, random(0.001, 0.01), random(0, width), random(0, width), random(0, width),
+                      random(-1, 1), random(-1, 1) + 100, random(-1, 1)});
+    }
+    Start start(rows);
+    start.scene.gravity = 9.81;
+    start.scene.floor = crowd % 2 == 0;
+    BallContacts contacts(start.scene, start.balls);
+    if (!contacts.in_flight()) continue;
+    double first = never;
+    for (int i = 0; i < 40; ++i) {
+      if (start.scene.floor) {
+        first = std::min(first, time_to_touch(start.scene, {i, -1, 1, 1}, start.balls));
+      }
+      for (int j = i + 1; j < 40; ++j) {
+        first = std::min(first, time_to_touch(start.scene, {i, j}, start.balls));
+      }
+    }
+    CAPTURE(crowd);
+    CHECK(contacts.flight_time(0, start.balls) == first);
   }
 }
 

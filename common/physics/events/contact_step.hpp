@@ -43,14 +43,16 @@ class ContactStep {
     for (const Event& what : start.contacts.events(start.state, h)) {
       EventValue before =
           start.contacts.event_value(what, 0, start.state, method_.acceleration_at_start());
-      const double rounding = start.contacts.rounding(what, start.state);
-      if (before.value <= -rounding && before.slope < 0) {  // together with the event before
+      if (before.value <= 0 && before.slope < 0 &&
+          before.value <= -start.contacts.rounding(what, start.state)) {
+        // together with the event before
         after_ = start.state;
         return {0, what, h};
       }
       before.value = std::max(before.value, 0.0);  // an event's rounding
-      watched_.push_back({what, before, RootInStep::none});
+      watched_.push_back({what, before, RootInStep::none, top_rate(start, what)});
     }
+    if (crowd) h = std::min(h, expected_event(start, h) + near_enough(start) / 2);
     h = accurate_step(start, h);
     const WatchedEvent* event = cut_at_first_event(start, h);
     return {h, event ? std::optional(event->what) : std::nullopt, step_after_};
@@ -75,9 +77,53 @@ class ContactStep {
     Event what;
     EventValue before;
     RootInStep root;
+    double top_rate;  // per second: its value changes no faster
   };
 
   static constexpr bool law_jumps = requires { Contacts::jumps_without_event; };
+  static constexpr bool crowd = requires { Contacts::is_crowd; };
+
+  static double top_rate(const Start& start, const Event& what) {
+    if constexpr (crowd) return start.contacts.top_rate(what);
+    return never;
+  }
+
+  /// From so near [s] Taylor's series goes the rest of the way to an event: the term that is left
+  /// out, a' s^2 / 2, is a thousandth of what the tolerance allows.
+  double near_enough(const Start& start) const {
+    return crowd ? start.contacts.time_scale() * std::sqrt(1e-3 * tolerance_) : 0;
+  }
+
+  /// In a crowd events come more often than the error control would step. So it is foretold when
+  /// the next one comes, if within `h`: the step ends there, and need not be taken twice. A guess,
+  /// on which nothing depends but the cost.
+  double expected_event(const Start& start, double h) {
+    const WatchedEvent* first = nullptr;
+    double time = h / 2;
+    for (const WatchedEvent& watched : watched_) {
+      if (!(watched.before.value < -watched.before.slope * time)) continue;
+      if (watched.before.value <= start.contacts.rounding(watched.what, start.state)) continue;
+      time = -watched.before.value / watched.before.slope;
+      first = &watched;
+    }
+    const Vector& acceleration = method_.acceleration_at_start();
+    for (int i = 0; first && i < 3; ++i) {
+      after_.position =
+          start.state.position + (start.state.velocity + acceleration * (time / 2)) * time;
+      after_.velocity = start.state.velocity + acceleration * time;
+      Vector later = acceleration;
+      if (i == 2) {  // and with the acceleration's change
+        later = start.contacts.acceleration(time, after_);
+        after_.position += (later - acceleration) * (time * time / 6);
+        after_.velocity += (later - acceleration) * (time / 2);
+      }
+      const EventValue then = start.contacts.event_value(first->what, time, after_, later);
+      const double better = time - then.value / then.slope;
+      if (!(then.slope < 0 && better > time / 2 && better < 2 * time)) break;
+      time = better;
+    }
+    return first ? time : h;
+  }
 
   /// A step whose error is within the tolerance; `after_` is its end. Where a law may jump without
   /// an event (two balls run through each other, centre through centre), the shortest step has to
@@ -110,6 +156,8 @@ class ContactStep {
       bool unclear = !start.contacts.resolves(start.state, after_, h);
       for (WatchedEvent& watched : watched_) {
         if (&watched == event) continue;
+        watched.root = RootInStep::none;
+        if (watched.before.value > watched.top_rate * h) continue;
         const EventValue now = start.contacts.event_value(watched.what, h, after_, acceleration);
         watched.root =
             root_in_step(watched.before, now, h, start.contacts.rounding(watched.what, after_));
@@ -141,9 +189,10 @@ class ContactStep {
     const EventValue end =
         start.contacts.event_value(watched.what, h, after_, acceleration_after(start, h));
     double low = 0, high = h;
-    double length = Cubic(watched.before, end, h).zero();
+    const double guess = Cubic(watched.before, end, h).zero();
+    double length = crowd ? h : guess;
     for (int i = 0; i < 60; ++i) {
-      after_ = method_.step(start.contacts, 0, length);
+      if (length < h) after_ = method_.step(start.contacts, 0, length);
       const Vector acceleration = acceleration_after(start, length);
       const EventValue now = start.contacts.event_value(watched.what, length, after_, acceleration);
       (now.value > 0 ? low : high) = length;
@@ -153,13 +202,13 @@ class ContactStep {
         if (low <= newton && newton <= high) next = newton;
       }
       const double rest = next - length;
-      if (std::abs(rest) <= std::max(1e-7 * h, shortest_step(start.t))) {
+      if (std::abs(rest) <= std::max({1e-7 * h, near_enough(start), shortest_step(start.t)})) {
         // So little that two terms of Taylor's series go the rest of the way.
         after_.position += (after_.velocity + acceleration * (rest / 2)) * rest;
         after_.velocity += acceleration * rest;
         return next;
       }
-      length = next;
+      length = length < h ? next : guess;
     }
     return length;
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "05_ball_collision/ball_collision.hpp"
+#include "05_ball_collision/reference/near_pairs.hpp"
 #include "05_ball_collision/reference/saved_pairs.hpp"
 #include "05_ball_collision/reference/touching.hpp"
 #include "physics/events/closed_form.hpp"
@@ -24,6 +25,7 @@ class BallContacts {
  public:
   /// Two balls that run through each other, centre through centre.
   static constexpr bool jumps_without_event = true;
+  static constexpr bool is_crowd = true;
 
   using Balls = State<Eigen::Matrix3Xd>;
   struct Event {
@@ -43,6 +45,7 @@ class BallContacts {
   EventValue event_value(const Event& event, double t, const Balls& balls,
                          const Eigen::Matrix3Xd& acceleration) const;
   double rounding(const Event& event, const Balls& balls) const;
+  double top_rate(const Event& event) const;
   bool resolves(const Balls& before, const Balls& after, double h) const;
   void pass(const Event& event, double t, Balls& balls);
   double time_scale() const;
@@ -60,82 +63,87 @@ class BallContacts {
   }
 
  private:
-  SpringDamper law_of(const ContactPair& two) const {
-    return two.is_surface() ? scene_.floor_contact() : scene_.pair_contact();
+  const SpringDamper& law_of(const ContactPair& two) const {
+    return two.is_surface() ? floor_law_ : pair_law_;
   }
-  static double force(const SpringDamper& law, const Gap& gap) {
-    return -law.stiffness * gap.gap - law.damping * gap.speed;  // also where it would pull
+  static double force(const SpringDamper& law, double gap, double speed) {
+    return -law.stiffness * gap - law.damping * speed;  // also where it would pull
   }
   bool lets_go(const ContactPair& two) const {
     const SpringDamper law = law_of(two);
     return law.law == ContactLaw::push_only && law.damping > 0;
   }
-  template <class Visit>
-  void for_each_two(const Balls& balls, double range, const Visit& visit);
+  double top_rate(const ContactPair& two) const;
 
   BallCollision scene_;
+  SpringDamper pair_law_, floor_law_;
   std::vector<ContactPair> held_;  // those that touch or have let go, in order
   std::vector<Event> events_;
-  double range_ = 0;     // m: who is further apart is not watched
-  ContactPair lands_{};  // who ends the flight
-  NeighbourGrid grid_;
+  Eigen::VectorXd top_speed_;  // m/s: of each ball, within a step
+  ContactPair lands_{};        // who ends the flight
+  NearPairs near_;
   mutable Eigen::Matrix3Xd acceleration_;
 };
 
-/// Calls visit(two) for all that are no further apart than `range`, in order: for each ball the
-/// surfaces, then the balls with higher numbers.
-template <class Visit>
-void BallContacts::for_each_two(const Balls& balls, double range, const Visit& visit) {
-  const Eigen::VectorXd reach = scene_.radius.array() + range / 2;
-  const std::vector<BallPair>& pairs = grid_.pairs(balls.position, reach);
-  auto pair = pairs.begin();
-  for (int i = 0; i < scene_.mass.size(); ++i) {
-    scene_.for_each_surface(balls.position, i, [&](Eigen::Index axis, double sign, double overlap) {
-      if (overlap >= -range) visit(ContactPair{i, -1, static_cast<int>(axis), sign > 0 ? 1 : -1});
-    });
-    for (; pair != pairs.end() && pair->first == i; ++pair) visit(ContactPair{i, pair->second});
-  }
-}
-
-inline BallContacts::BallContacts(const BallCollision& scene, const Balls& balls) : scene_(scene) {
-  for_each_two(balls, 0, [&](ContactPair two) {
+inline BallContacts::BallContacts(const BallCollision& scene, const Balls& balls)
+    : scene_(scene), pair_law_(scene.pair_contact()), floor_law_(scene.floor_contact()) {
+  near_.for_each(scene_, balls, 0, [&](ContactPair two) {
     const Gap gap = gap_of(scene_, two, balls);
     if (!(gap.gap < 0)) return;
-    const bool pulls = lets_go(two) && force(law_of(two), gap) <= 0;
+    const bool pulls = lets_go(two) && force(law_of(two), gap.gap, gap.speed) <= 0;
     two.phase = pulls ? Phase::let_go : Phase::touch;
     held_.push_back(two);
   });
   std::sort(held_.begin(), held_.end());
 }
 
+/// The surfaces first; then the pairs, from near to far. All balls fall alike, so that two that
+/// come together within `first` seconds are now no further apart than they close in that time.
 inline double BallContacts::flight_time(double /*t*/, const Balls& balls) {
   double first = never;
-  for_each_two(balls, never, [&](const ContactPair& two) {
+  const auto consider = [&](const ContactPair& two) {
     const double time = time_to_touch(scene_, two, balls);
     if (!(time < first)) return;
     first = time;
     lands_ = two;
-  });
-  return first;
+  };
+  for_each_surface(scene_, balls.position, never, consider);
+  const Eigen::Vector3d together = balls.velocity.rowwise().mean();
+  const double closing = 2 * (balls.velocity.colwise() - together).colwise().norm().maxCoeff();
+  const double spread =
+      (balls.position.rowwise().maxCoeff() - balls.position.rowwise().minCoeff()).norm();
+  for (double range = scene_.radius.minCoeff();; range *= 4) {
+    near_.for_each(scene_, balls, range, [&](const ContactPair& two) {
+      if (!two.is_surface()) consider(two);
+    });
+    if (!(first * closing > range && range < spread)) return first;
+  }
 }
 
 /// Gravity, and the forces of those that touch now, whatever their overlap.
 inline const Eigen::Matrix3Xd& BallContacts::acceleration(double /*t*/, const Balls& balls) const {
-  acceleration_.setZero(3, scene_.mass.size());
-  acceleration_.row(1).setConstant(-scene_.gravity);
+  acceleration_.setZero(3, scene_.mass.size());  // the forces, at first
   for (const ContactPair& two : held_) {
     if (two.phase != Phase::touch) continue;
-    const Gap gap = gap_of(scene_, two, balls);
-    const Eigen::Vector3d push = force(law_of(two), gap) * gap.direction;
-    acceleration_.col(two.first) += push / scene_.mass[two.first];
-    if (!two.is_surface()) acceleration_.col(two.second) -= push / scene_.mass[two.second];
+    const int i = two.first, j = two.second;
+    if (two.is_surface()) {
+      const Gap gap = gap_of(scene_, two, balls);
+      acceleration_(two.axis, i) += two.sign * force(floor_law_, gap.gap, gap.speed);
+      continue;
+    }
+    // As in gap_of(), but this is where the time goes: a root, a division, and nothing stored.
+    const Eigen::Vector3d between = balls.position.col(i) - balls.position.col(j);
+    const double d = between.norm();
+    Eigen::Vector3d e12 = Eigen::Vector3d::UnitY();
+    if (d > 1e-100) e12 = between * (1 / d);
+    const double speed = dot(balls.velocity.col(i) - balls.velocity.col(j), e12);
+    const double push = force(pair_law_, d - scene_.radius[i] - scene_.radius[j], speed);
+    acceleration_.col(i) += push * e12;
+    acceleration_.col(j) -= push * e12;
   }
+  for (Eigen::Index i = 0; i < scene_.mass.size(); ++i) acceleration_.col(i) *= 1 / scene_.mass[i];
+  acceleration_.row(1).array() -= scene_.gravity;
   return acceleration_;
-}
-
-/// The largest speed of any ball, along any axis [m/s].
-inline double top_speed(const State<Eigen::Matrix3Xd>& balls) {
-  return balls.velocity.cwiseAbs().maxCoeff();
 }
 
 inline const std::vector<BallContacts::Event>& BallContacts::events(const Balls& balls, double h) {
@@ -146,25 +154,39 @@ inline const std::vector<BallContacts::Event>& BallContacts::events(const Balls&
     if (!touch) events_.push_back({two, Phase::touch});
     if (!touch || !lets_go(two)) events_.push_back({two, Phase::flight});
   }
-  // Within the range are all that two balls at twice the top speed could close, and some more.
-  range_ = 2 * std::sqrt(3.0) * 2 * top_speed(balls) * h + scene_.radius.minCoeff();
-  for_each_two(balls, range_, [&](const ContactPair& two) {
-    if (!std::binary_search(held_.begin(), held_.end(), two)) {
-      events_.push_back({two, Phase::touch});
-    }
+  // Nobody gets faster than this, or the step is refused. Who is further apart than two can close
+  // at such speeds is not watched.
+  top_speed_ = 2 * balls.velocity.colwise().norm().transpose();
+  top_speed_.array() += scene_.radius.minCoeff() / 200 / h;
+  auto held = held_.begin();
+  near_.for_each(scene_, balls, 2 * h * top_speed_.maxCoeff(), [&](const ContactPair& two) {
+    if (are_apart(scene_, two, balls.position, h * top_rate(two))) return;
+    while (held != held_.end() && *held < two) ++held;
+    if (held == held_.end() || two < *held) events_.push_back({two, Phase::touch});
   });
   return events_;
 }
 
+/// How fast two can come together, or part [m/s].
+inline double BallContacts::top_rate(const ContactPair& two) const {
+  return top_speed_[two.first] + (two.is_surface() ? 0 : top_speed_[two.second]);
+}
+inline double BallContacts::top_rate(const Event& event) const {
+  const bool is_gap = event.two.phase == Phase::flight || event.next == Phase::flight;
+  return is_gap ? top_rate(event.two) : never;
+}
+
 /// Nobody comes from outside the range; and two that do not touch do not pass each other unseen.
 inline bool BallContacts::resolves(const Balls& before, const Balls& after, double h) const {
-  const double top = std::max(top_speed(before), top_speed(after));
-  if (!(2 * std::sqrt(3.0) * top * h <= range_)) return false;
+  if (!(after.velocity.colwise().norm().transpose().array() <= top_speed_.array()).all()) {
+    return false;
+  }
   for (const auto& [two, next] : events_) {
     if (two.phase == Phase::touch || two.is_surface()) continue;
+    const double reach = scene_.radius[two.first] + scene_.radius[two.second];
+    if (h * top_rate(two) <= 0.25 * reach) continue;
     const Gap start = gap_of(scene_, two, before), end = gap_of(scene_, two, after);
     const double path = h * std::max(start.velocity.norm(), end.velocity.norm());
-    const double reach = scene_.radius[two.first] + scene_.radius[two.second];
     if (path > 0.25 * reach && 1.5 * path > start.gap + end.gap) return false;
   }
   return true;
@@ -185,7 +207,7 @@ inline EventValue BallContacts::event_value(const Event& event, double /*t*/, co
   const SpringDamper law = law_of(two);
   const double rate = -law.stiffness * gap.speed - law.damping * (dot(a, gap.direction) + turning);
   const double sign = two.phase == Phase::touch ? 1 : -1;
-  return {sign * force(law, gap), sign * rate};
+  return {sign * force(law, gap.gap, gap.speed), sign * rate};
 }
 
 /// By how much the value of event_value() may be off.

@@ -52,8 +52,19 @@ inline Gap gap_of(const BallCollision& scene, const ContactPair& two,
   const Eigen::Vector3d velocity = balls.velocity.col(i) - balls.velocity.col(j);
   const double d = between.norm();
   Eigen::Vector3d e12 = Eigen::Vector3d::UnitY();  // where the centres coincide, as in meet()
-  if (d > 1e-100) e12 = between / d;
+  if (d > 1e-100) e12 = between * (1 / d);
   return {d - scene.radius[i] - scene.radius[j], dot(velocity, e12), d, e12, velocity};
+}
+
+/// Whether that gap is larger than `range` [m]: the same without root and division.
+inline bool are_apart(const BallCollision& scene, const ContactPair& two,
+                      const Eigen::Matrix3Xd& position, double range) {
+  const int i = two.first, j = two.second;
+  if (two.is_surface()) {
+    return two.sign * (position(two.axis, i) - wall_of(scene, two)) > scene.radius[i] + range;
+  }
+  const double reach = scene.radius[i] + scene.radius[j] + range;
+  return (position.col(i) - position.col(j)).squaredNorm() > reach * reach;
 }
 
 /// By how much that gap may be off [m], because positions are rounded.

@@ -121,10 +121,11 @@ void BallsWorld::take_steps(Any& method, Balls& balls, long long count, double t
   }
 }
 
-// The reference looks at all pairs at every event: a method for few balls.
+// The reference steps all balls from event to event, and a heap has as many events as contacts: a
+// method for some balls.
 inline constexpr std::size_t most_balls_of_reference = 1000;
 inline constexpr const char* why_not_so_many =
-    "the method reference looks at all pairs of balls, and takes at most 1000 balls";
+    "the method reference steps all balls at every event, and takes at most 1000 balls";
 
 template <class Any>
 double BallsWorld::go_towards(Any& method, double t, long long most_events, Balls& balls) const {
@@ -132,8 +133,8 @@ double BallsWorld::go_towards(Any& method, double t, long long most_events, Ball
     throw NoClosedForm(method.walk.last_event(), why_not_so_many);
   }
   // So many that one can be heard in between.
-  const auto pairs = static_cast<long long>(count() * count());
-  return method.go_towards(t, std::max(1LL, most_events / pairs), balls);
+  const auto balls_a_step = static_cast<long long>(count());
+  return method.go_towards(t, std::max(1LL, most_events / balls_a_step), balls);
 }
 
 // ---- Saving and loading

@@ -93,7 +93,7 @@ void step(const Settings& settings, Round& round, double dt, const MoveBall& mov
   const NearestPoint nearest = scene.nearest(scene.disc_at(dt), round.ball.position);
   if (touches > 0) {
     round.touches += touches;
-    round.touch_speed = std::abs(nearest.direction.dot(before));
+    round.touch_speed = std::abs(dot(nearest.direction, before));
     round.touch_clock = round.clock;
     round.touch_place = nearest.point;
   }
