@@ -66,7 +66,7 @@ void check(const Loss& loss, Loss::Cause cause, const std::string& words) {
 
 const double swing = swing_speed(4);         // m/s, in the first flight
 const double lasts = rules::stroke / swing;  // s that it goes up
-const double half = lasts / 2;               // s: the middle of the stroke is at the touch
+const double half_stroke = lasts / 2;        // s: the middle of the stroke is at the touch
 
 }  // namespace
 
@@ -98,7 +98,7 @@ TEST_CASE("stage 8, a loss: the swing came after the touch, and how long") {
              follows([late](Input& input, double until) { input.swing = until < -late ? 1 : 0; }));
     check(loss, Loss::late, "Too late by ");
     CHECK(loss.off_by > late - 0.002);         // a step or two
-    CHECK(loss.off_by < late + frame + 0.01);  // and half the speed is reached within 10 ms
+    CHECK(loss.off_by < late + frame + 0.01);  // and half_stroke the speed is reached within 10 ms
   }
 }
 
@@ -121,7 +121,7 @@ TEST_CASE("stage 8, a loss: nobody swung") {
 
 TEST_CASE("stage 8, a loss: the disc leaned") {
   const Loss loss = lose("0.1,0,0", follows([](Input& input, double until) {
-                           input.swing = until < half ? 1 : 0;
+                           input.swing = until < half_stroke ? 1 : 0;
                            input.tilt_x = 1;
                          }));
   check(loss, Loss::tilted, "tilted by 8 degrees: the ball left to the side with ");
@@ -149,8 +149,9 @@ TEST_CASE("stage 8, a loss: the ball came to rest, and slid off") {
 }
 
 TEST_CASE("stage 8, a loss: all was right, and then the disc was elsewhere") {
-  const Loss loss = lose(
-      "0.9,0,0", follows([](Input& input, double until) { input.swing = until < half ? 1 : 0; }));
+  const Loss loss =
+      lose("0.9,0,0",
+           follows([](Input& input, double until) { input.swing = until < half_stroke ? 1 : 0; }));
   check(loss, Loss::elsewhere, "The hit was good, but the disc was elsewhere.");
   // 0.9 m/s, and what the serve and the hit push it aside: 0.25 and 0.12 m/s at most.
   CHECK(loss.missed > (0.9 - 0.37) * loss.flight);
