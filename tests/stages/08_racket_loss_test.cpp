@@ -98,7 +98,7 @@ TEST_CASE("stage 8, a loss: the swing came after the touch, and how long") {
              follows([late](Input& input, double until) { input.swing = until < -late ? 1 : 0; }));
     check(loss, Loss::late, "Too late by ");
     CHECK(loss.off_by > late - 0.002);         // a step or two
-    CHECK(loss.off_by < late + frame + 0.01);  // and half_stroke the speed is reached within 10 ms
+    CHECK(loss.off_by < late + frame + 0.01);  // and half the speed is reached within 10 ms
   }
 }
 
