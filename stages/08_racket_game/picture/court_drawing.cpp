@@ -32,7 +32,7 @@ namespace {
 
 constexpr Colour face{0xCB, 0xD3, 0xDA};  // of the racket
 constexpr Colour back{0xA6, 0xAF, 0xB8};
-constexpr Colour rim{0x3A, 0x44, 0x4E};
+constexpr Colour rim_grey{0x3A, 0x44, 0x4E};
 
 Colour mixed(Colour from, Colour to, double share) {
   const auto mix = [share](std::uint8_t a, std::uint8_t b) {
@@ -105,8 +105,8 @@ void draw_disc(Canvas& canvas, const Camera& camera, const Disc& disc, bool from
   const Colour fill = mixed(from_front ? face : back, accent, 0.35 * glow);
   draw_patch(canvas, camera, edge, {fill.red, fill.green, fill.blue, 235});
   const auto inner = circle(disc.centre, disc.normal, disc.radius / 2, 48);
-  draw_path(canvas, camera, inner, rim.faded(0.4), 1);
-  draw_path(canvas, camera, edge, rim, 3);
+  draw_path(canvas, camera, inner, rim_grey.faded(0.4), 1);
+  draw_path(canvas, camera, edge, rim_grey, 3);
 }
 
 void draw_disc_shadow(Canvas& canvas, const Camera& camera, const Disc& disc, double floor) {
