@@ -9,15 +9,10 @@
 
 namespace bounce {
 
-/// A frame in the place of a plot, with its scales.
+/// A frame with its scales.
 struct Diagram {
   Rect box;
   Range across, up;
-
-  Diagram(Rect area, Range across_, Range up_)
-      : box{area.x + 56, area.y + 26, area.width - 56 - 24, area.height - 52},
-        across(across_),
-        up(up_) {}
 
   Point at(double x, double y) const {
     const double u = (x - across.lowest) / (across.highest - across.lowest);
@@ -27,6 +22,11 @@ struct Diagram {
   }
   void draw(Canvas& canvas, const std::string& title, const std::string& unit) const;
 };
+
+/// A plot's place, without the room for its numbers and its title.
+inline Rect within_plot(Rect area) {
+  return {area.x + 56, area.y + 26, area.width - 56 - 24, area.height - 52};
+}
 
 inline void Diagram::draw(Canvas& canvas, const std::string& title, const std::string& unit) const {
   canvas.text({box.x, box.y - 20}, title, palette::ink, Align::left, TextSize::normal);

@@ -144,7 +144,7 @@ inline void LiveBifurcation::make_dots(const Diagram& diagram) {
 }
 
 inline void LiveBifurcation::draw(Canvas& canvas, Rect area, const Simulation& simulation) {
-  const Diagram diagram(area, slider(), {0, top()});
+  const Diagram diagram{within_plot(area), slider(), {0, top()}};
   diagram.draw(canvas,
                area.width > 500 ? "heights of the bounces for every amplitude, m (click: go there)"
                                 : "heights for every amplitude, m",
@@ -162,7 +162,7 @@ inline void LiveBifurcation::draw(Canvas& canvas, Rect area, const Simulation& s
 
 inline std::optional<double> LiveBifurcation::amplitude_at(Rect area, Point at) {
   const Range range = slider();
-  const Diagram diagram(area, range, {0, 1});
+  const Diagram diagram{within_plot(area), range, {0, 1}};
   const Rect& box = diagram.box;
   if (at.y < box.y || at.y > box.bottom() || at.x < box.x - 4 || at.x > box.right() + 4) {
     return std::nullopt;

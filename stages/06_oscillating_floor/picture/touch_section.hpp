@@ -83,7 +83,7 @@ inline void TouchSection::draw(Canvas& canvas, Rect area, const Playback& playba
   double fastest = 1;
   for (const Bounce& bounce : exact_) fastest = std::max(fastest, bounce.speed);
   for (const Dot& dot : dots_) fastest = std::max(fastest, dot.speed);
-  const Diagram diagram(area, {0, 2 * std::numbers::pi}, {0, std::ceil(fastest)});
+  const Diagram diagram{within_plot(area), {0, 2 * std::numbers::pi}, {0, std::ceil(fastest)}};
   diagram.draw(canvas, "speed of each touch, m/s, by the floor's angle", "rad");
   for (const Bounce& bounce : exact_) {
     const Point at = diagram.at(bounce.phase, bounce.speed);

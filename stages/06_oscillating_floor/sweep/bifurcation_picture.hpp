@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "06_oscillating_floor/picture/diagram.hpp"
 #include "app/drawing.hpp"
 #include "app/layout.hpp"
 #include "app/palette.hpp"
@@ -20,23 +21,18 @@ struct SweepRow {
 };
 
 /// One diagram: `value` of every row against the parameter, a pixel each.
-inline void draw_diagram(Canvas& canvas, Rect box, const std::vector<SweepRow>& rows, Range across,
-                         double SweepRow::*value, Range up, const std::string& title) {
-  const auto at = [&](double x, double y) {
-    const double u = (x - across.lowest) / (across.highest - across.lowest);
-    const double v = (y - up.lowest) / (up.highest - up.lowest);
-    return Point{box.x + static_cast<float>(u) * box.width,
-                 box.bottom() - static_cast<float>(v) * box.height};
-  };
+inline void draw_diagram(Canvas& canvas, const Diagram& diagram, const std::vector<SweepRow>& rows,
+                         double SweepRow::*value, const std::string& title) {
+  const auto& [box, across, up] = diagram;
   char text[32];
   for (const double y : ticks(up.lowest, up.highest, 5)) {
-    const std::array<Point, 2> line{at(across.lowest, y), at(across.highest, y)};
+    const std::array<Point, 2> line{diagram.at(across.lowest, y), diagram.at(across.highest, y)};
     canvas.line(line, palette::grid_major, 1);
     std::snprintf(text, sizeof text, "%.3g", y);
     canvas.text({box.x - 10, line[0].y - 11}, text, palette::ink, Align::right, TextSize::title);
   }
   for (const double x : ticks(across.lowest, across.highest, 10)) {
-    const std::array<Point, 2> line{at(x, up.lowest), at(x, up.highest)};
+    const std::array<Point, 2> line{diagram.at(x, up.lowest), diagram.at(x, up.highest)};
     canvas.line(line, palette::grid_minor, 1);
     std::snprintf(text, sizeof text, "%.4g", x);
     canvas.text({line[0].x, box.bottom() + 6}, text, palette::ink, Align::centre, TextSize::title);
@@ -45,7 +41,7 @@ inline void draw_diagram(Canvas& canvas, Rect box, const std::vector<SweepRow>& 
 
   std::set<std::pair<int, int>> drawn;  // many bounces, few places: one dot for each
   for (const SweepRow& row : rows) {
-    const Point dot = at(row.parameter, row.*value);
+    const Point dot = diagram.at(row.parameter, row.*value);
     const std::pair<int, int> pixel(static_cast<int>(dot.x), static_cast<int>(dot.y));
     if (!drawn.insert(pixel).second) continue;
     const auto x = static_cast<float>(pixel.first), y = static_cast<float>(pixel.second);
@@ -61,10 +57,11 @@ inline void draw_bifurcation(Canvas& canvas, const std::vector<SweepRow>& rows, 
   const std::vector<double> round = ticks(0, highest, 5);
   const double top = round.size() > 1 ? round.back() + round[1] : 1;
   const float width = layout::width - 120;
-  draw_diagram(canvas, {80, 60, width, 370}, rows, across, &SweepRow::height, {0, top},
-               "height of the bounce, m");
-  draw_diagram(canvas, {80, 494, width, 160}, rows, across, &SweepRow::phase,
-               {0, 2 * std::numbers::pi}, "angle of the floor's swing at the impact, rad");
+  const Diagram heights{{80, 60, width, 370}, across, {0, top}};
+  const Diagram phases{{80, 494, width, 160}, across, {0, 2 * std::numbers::pi}};
+  draw_diagram(canvas, heights, rows, &SweepRow::height, "height of the bounce, m");
+  draw_diagram(canvas, phases, rows, &SweepRow::phase,
+               "angle of the floor's swing at the impact, rad");
   canvas.text({80 + width, 686}, name + ", " + unit, palette::ink, Align::right, TextSize::title);
 }
 
