@@ -54,6 +54,30 @@ std::string files() {
          " of 3 balls, without a word";
 }
 
+/// Cells cut at commas, each taken by std::stod.
+std::vector<double> cut_at_commas(const std::string& row) {
+  std::vector<double> numbers;
+  std::istringstream cells(row);
+  for (std::string cell; std::getline(cells, cell, ',');) numbers.push_back(std::stod(cell));
+  return numbers;
+}
+
+std::string spreadsheets() {
+  const std::vector<double> ball{2, 0.1, 3};
+  int right = 0, other = 0, uncaught = 0;
+  for (const char* row :
+       {"2,0.1,3", "2;0.1;3", "2;0,1;3", "2\t0.1\t3", "\"2\",\"0.1\",\"3\"", "2,0.1,3,,"}) {
+    try {
+      ++(cut_at_commas(row) == ball ? right : other);
+    } catch (const std::exception&) {
+      ++uncaught;
+    }
+  }
+  return "of 6 ways to write 2, 0.1, 3 a reader that cuts at commas takes " +
+         std::to_string(right) + ", takes " + std::to_string(other) +
+         " for other numbers, and throws at " + std::to_string(uncaught);
+}
+
 std::string clock_that_stands() {
   double t = 1e4;
   for (int i = 0; i < 1000000; ++i) t += 1e-13;
@@ -136,6 +160,7 @@ void print_input() {
        {"The same in every entry of a saved state, recorded inputs, `--balls` and "
         "`--import-lammps`",
         files},
+       {"A table of balls as a spreadsheet saves it", spreadsheets},
        {"More than 1e11 steps", clock_that_stands},
        {"More than 1e8 rows", bytes_of_a_trace},
        {"2500 command lines at random, under the sanitizers", random_words},

@@ -550,62 +550,6 @@ TEST_CASE("stage 5: a saved state goes on to the bit, for every scene, method an
   CHECK_THROWS_AS(run.recall(memory), BadInput);
 }
 
-TEST_CASE("stage 5: a balls file is refused with its line and column") {
-  const auto path = std::filesystem::temp_directory_path() / "bounce_bad_balls.csv";
-  const auto message_for = [&](const std::string& text) -> std::string {
-    std::ofstream(path, std::ios::binary) << text;
-    try {
-      BallsFile(path.string()).read();
-    } catch (const BadInput& error) {
-      return error.what();
-    }
-    return "accepted";
-  };
-  const std::string header = "mass,radius,x,y,z,vx,vy,vz\n", good = "1,0.1,0,0,0,0,0,0\n";
-  CHECK(message_for(header + good) == "accepted");
-  CHECK(message_for(header + good + good) == "accepted");  // coincident: deep overlap is allowed
-  CHECK(message_for("radius, mass ,x,y,z,vx,vy,vz\r\n0.1,1,0,0,0,0,0,0\r\n\r\n") == "accepted");
-  // What spreadsheets and editors make of it.
-  for (const std::string same :
-       {"mass;radius;x;y;z;vx;vy;vz\n1;0.1;0;0;0;0;0;0\n",
-        "mass\tradius\tx\ty\tz\tvx\tvy\tvz\n1\t0.1\t0\t0\t0\t0\t0\t0\n",
-        "\"Mass\",\"Radius\",\"X\",\"Y\",\"Z\",\"vX\",\"vY\",\"vZ\"\n1,0.1,0,0,0,0,0,0\n",
-        "# one ball\nmass,radius,x,y,z,vx,vy,vz\n1,0.1,0,0,0,0,0,0\n",
-        "\xEF\xBB\xBFmass,radius,x,y,z,vx,vy,vz,,\n1,0.1,0,0,0,0,0,0,,\n",
-        "mass,radius,x,y,z,vx,vy,vz\n,,,,,,,\n#1,2\n1,0.1,0,0,0,0,0,0\n\n,,,,,,,\n"}) {
-    INFO(same);
-    CHECK(message_for(same) == "accepted");
-  }
-  struct Bad {
-    std::string text;
-    std::vector<std::string> says;
-  };
-  for (const Bad& bad : {
-           Bad{"", {"empty", "line 1"}},
-           Bad{header, {"no ball", "line 2"}},
-           Bad{good, {"line 1", "column mass"}},
-           Bad{"mass,radius,x,y,z,vx,vy\n1,0.1,0,0,0,0,0\n", {"line 1", "column vz"}},
-           Bad{"mass,radius,x,y,z,vx,vy,vz,spin\n", {"line 1", "9 columns"}},
-           Bad{header + good + "1,0.1,0,zero,0,0,0,0\n", {"line 3", "column y", "'zero'"}},
-           Bad{header + "1,0.1,0,0,0,0,0,nan\n", {"line 2", "column vz", "'nan'"}},
-           Bad{header + "1,0.1,0,inf,0,0,0,0\n", {"line 2", "column y", "'inf'"}},
-           Bad{header + "-1,0.1,0,0,0,0,0,0\n", {"line 2", "column mass", "'-1'"}},
-           Bad{header + "1,0,0,0,0,0,0,0\n", {"line 2", "column radius", "'0'"}},
-           Bad{header + good + "\n1,0.1,0,0,0,0,0\n", {"line 4", "column vz", "missing"}},
-           Bad{header + "1,0.1,0,0,0,0,0,0,0\n", {"line 2", "9 values"}},
-           Bad{header + "1,0.1,0,,0,0,0,0\n", {"line 2", "column y", "''"}},
-           Bad{"mass;radius;x;y;z;vx;vy;vz\n1;0,1;0;0;0;0;0;0\n",
-               {"line 2", "column radius", "'0,1'", "a point in place of the comma"}},
-           Bad{std::string("\xFF\xFEm\0a\0", 6), {"UTF-16", "UTF-8"}},
-       }) {
-    const std::string message = message_for(bad.text);
-    INFO(message);
-    for (const std::string& part : bad.says) CHECK(message.find(part) != std::string::npos);
-  }
-  CHECK_THROWS_AS(BallsFile("/no/such/file.csv").read(), BadInput);
-  CHECK_THROWS_AS(BallsFile("/").read(), BadInput);
-}
-
 TEST_CASE("stage 5: the time step that is asked for fits the lightest balls") {
   BallsRun tower;
   set(tower, "scene", "tower");

@@ -13,6 +13,27 @@ namespace bounce {
 
 using Eigen::Vector3d;
 
+namespace {
+
+/// How far beside the disc the ball is: along the floor, from shadow to shadow, where the eye can
+/// judge it.
+void draw_distance(Canvas& canvas, const Camera& camera, const Court& court) {
+  const auto on_floor = [&](Vector3d place) {
+    place.y() = court.game->floor_height() + 0.004;
+    return place;
+  };
+  const std::array<Vector3d, 2> line{on_floor(court.racket.disc.centre),
+                                     on_floor(court.ball.position)};
+  const double distance = (line[1] - line[0]).norm();
+  const Vector3d middle = (line[0] + line[1]) / 2;
+  if (distance < court.racket.disc.radius || !camera.sees(middle)) return;
+  draw_dashed_path(canvas, camera, line, palette::ink, 2);
+  draw_label(canvas, {camera.at(middle).x, camera.at(middle).y + 8}, with_unit(distance, "m"),
+             palette::ink, Align::centre);
+}
+
+}  // namespace
+
 void draw_landing(Canvas& canvas, const Camera& camera, const Court& court) {
   const double height = court.racket.disc.centre.y(), radius = court.racket.radius;
   const Landing next = landing(court.ball, court.racket.gravity, height + radius);
@@ -98,6 +119,7 @@ void draw_arrows(Canvas& canvas, const Camera& camera, const Court& court, const
     }
     draw_label(canvas, {camera.at(at).x + 14, camera.at(at).y + 8}, "touch", palette::ink);
   }
+  if (court.game) draw_distance(canvas, camera, court);
   const Vector3d ball = now.ball.position, tip = ball + 0.15 * now.ball.velocity;
   arrow(ball, tip, palette::motion, Shaft::velocity);
   if (camera.sees(tip)) {

@@ -16,8 +16,8 @@ void draw_goal(Canvas& canvas, const Camera& camera, const Court& court);
 /// from 0 to 1: the beat has just been.
 void draw_beat(Canvas& canvas, Point centre, double phase, double flash);
 
-/// What is seen when a loss is shown again: the ball's velocity, where it was touched last, and
-/// the racket's push there.
+/// What is seen when a loss is shown again: the ball's velocity, where it was touched last and the
+/// racket's push there, and how far beside the racket the ball is.
 void draw_arrows(Canvas& canvas, const Camera& camera, const Court& court, const Moment& now,
                  const Moment* touch);
 
