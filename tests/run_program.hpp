@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 namespace bounce::test {
 
@@ -18,12 +19,18 @@ Outcome run_program_with(const std::string& environment, const std::string& comm
 /// The folder in which the last program ran; the next one empties it.
 std::string work_folder();
 
+/// The names of what lies there, in order.
+std::vector<std::string> files();
+
 /// One word of a shell's command line, whatever is in it: "'Anna'\\''s work'".
 std::string quoted(const std::string& word);
 
 inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
+
+/// The lines of a text, without their ends.
+std::vector<std::string> lines(const std::string& text);
 
 /// A whole file; empty when it is not there.
 std::string read_file(const std::string& path);

@@ -20,6 +20,13 @@ struct Colour {
   constexpr Colour faded(double share) const {
     return {red, green, blue, static_cast<std::uint8_t>(alpha * share)};
   }
+  /// `share` of the way to another one.
+  constexpr Colour towards(Colour to, double share) const {
+    const auto mix = [share](std::uint8_t a, std::uint8_t b) {
+      return static_cast<std::uint8_t>(a + share * (b - a));
+    };
+    return {mix(red, to.red), mix(green, to.green), mix(blue, to.blue), mix(alpha, to.alpha)};
+  }
 };
 
 enum class Align { left, centre, right };

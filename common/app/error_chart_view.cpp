@@ -76,10 +76,13 @@ std::vector<Method> methods_of(const ErrorChart& chart) {
   return methods;
 }
 
-/// The names below, in two columns; a click on the last one, the exact solution, chooses it.
-Rect name_place(const Axes& axes, std::size_t i) {
-  const float column = i < 4 ? 0 : 1, row = static_cast<float>(i % 4);
-  return {axes.box.x - 34 + 156 * column, axes.box.bottom() + 46 + 20 * row, 140, 20};
+/// The place of name i of `count` below, in two columns; a click on the last one, the exact
+/// solution, chooses it.
+Rect name_place(const Axes& axes, std::size_t i, std::size_t count) {
+  const std::size_t rows = std::max<std::size_t>(4, (count + 1) / 2);
+  const float height = 80 / static_cast<float>(rows);
+  const float column = i < rows ? 0 : 1, row = static_cast<float>(i % rows);
+  return {axes.box.x - 34 + 156 * column, axes.box.bottom() + 46 + height * row, 140, height};
 }
 
 void power_of_ten(Canvas& canvas, Point at, int power, Align align) {
@@ -106,7 +109,7 @@ void draw_methods(Canvas& canvas, const Axes& axes, const ErrorChart& chart, Met
   const std::vector<Method> methods = methods_of(chart);
   for (std::size_t i = 0; i < methods.size(); ++i) {
     const Colour colour = methods[i] == chosen ? palette::ink : palette::exact.faded(0.75);
-    const Rect name = name_place(axes, i);
+    const Rect name = name_place(axes, i, methods.size());
     std::vector<ErrorChart::Dot> dots;
     for (const ErrorChart::Dot& dot : chart.dots()) {
       if (dot.method == methods[i] && dot.error <= nonsense) dots.push_back(dot);
@@ -180,7 +183,8 @@ void draw_error_chart(Canvas& canvas, Rect area, const ErrorChart& chart, Method
 
 std::optional<ChartChoice> error_chart_choice(Rect area, const ErrorChart& chart, Point at) {
   const Axes axes = axes_for(area, chart);
-  const Rect exact = name_place(axes, methods_of(chart).size() - (chart.offers_exact() ? 1 : 0));
+  const std::size_t names = methods_of(chart).size();
+  const Rect exact = name_place(axes, names - 1, names);
   if (chart.offers_exact() && at.x >= exact.x - 8 && at.x <= exact.right() && at.y >= exact.y &&
       at.y <= exact.bottom()) {
     return ChartChoice{methods::exact, 0};

@@ -168,13 +168,8 @@ void draw_ball_in_space(Canvas& canvas, const Camera& camera, const Vector3d& ce
   for (int i = 1; i <= discs; ++i) {
     const float share = static_cast<float>(i) / discs;
     const float shift = 0.30f * share * size;
-    const auto mix = [share](std::uint8_t from, std::uint8_t to) {
-      return static_cast<std::uint8_t>(static_cast<float>(from) +
-                                       share * static_cast<float>(to - from));
-    };
-    canvas.disc(
-        {at.x - shift, at.y - shift}, size * (1 - 0.62f * share) - 0.5f,
-        {mix(dark.red, light.red), mix(dark.green, light.green), mix(dark.blue, light.blue), 255});
+    canvas.disc({at.x - shift, at.y - shift}, size * (1 - 0.62f * share) - 0.5f,
+                dark.towards(light, static_cast<double>(share)));
   }
   canvas.disc({at.x - 0.36f * size, at.y - 0.38f * size}, 0.14f * size, {0xF8, 0xFA, 0xFC});
   canvas.circle(at, size, palette::ink, 1.5f);

@@ -94,14 +94,8 @@ void draw_scene(Canvas& canvas, const Playback& playback, const View& view, cons
 
 Camera camera_for(const Playback& playback, const BallInSpace& ball, Rect area, bool from_above) {
   const double zoom = zoom_out(playback, ball);
-  const Vector3d look_at = target(playback, ball, zoom);
-  const double distance = ball.distance * zoom;
-  if (from_above) {  // from far away, where height hardly shifts a point in the picture: a map
-    const Vector3d eye = look_at + Vector3d(0, 20 * distance, 0);
-    return {eye, look_at, {0, 0, -1}, area, opening / 20};
-  }
-  const Vector3d direction = Vector3d(-0.10, 0.30, 0.95).normalized();
-  return {look_at + distance * direction, look_at, {0, 1, 0}, area, opening};
+  return camera_before(target(playback, ball, zoom), ball.distance * zoom, 0.30, area, opening,
+                       from_above);
 }
 
 void draw_space_view(Canvas& canvas, const Playback& playback, const View& view,

@@ -45,7 +45,6 @@ const char* guard(const Work& work) {
 int kept_number(const std::string& name) { return page_kept(name.c_str()); }
 void keep_number(const std::string& name, int number) { page_keep(name.c_str(), number); }
 
-bool has_window() { return true; }
 void save_picture(const Demo&, std::unique_ptr<Simulation>, const Options&, const std::string&) {
   throw MachineFailure("a web page saves no pictures");
 }

@@ -55,7 +55,7 @@ void ManyBalls::pass(const Pass& what, Team& team) {
     return std::clamp(2 * steps * fastest_ * dt_, 0.02 * largest_radius_, 0.5 * largest_radius_);
   };
   if (!holds(moved_, skin_) || list_threads_ != team.size()) {
-    skin_ = skin_for(skin_steps_);
+    skin_ = skin_for(120);
     list_threads_ = 0;  // no list, should it throw
     list_.build(now_, next_, number_, skin_, team);
     list_threads_ = team.size();
@@ -64,7 +64,7 @@ void ManyBalls::pass(const Pass& what, Team& team) {
     ++lists_built_;
   }
   if (!holds(moved_ - moved_before_, thin_skin_)) {
-    thin_skin_ = std::min(skin_, skin_for(thin_skin_steps_));
+    thin_skin_ = std::min(skin_, skin_for(12));
     list_.shorten(now_, thin_skin_, team);
     moved_before_ = moved_;
   }

@@ -23,7 +23,7 @@ class ManyBalls {
 
   ManyBalls() = default;
   // What is kept between two calls is memory, not knowledge: a copy starts without.
-  ManyBalls(const ManyBalls& other) : pass_(other.pass_), skin_steps_(other.skin_steps_) {}
+  ManyBalls(const ManyBalls& other) : pass_(other.pass_) {}
   ManyBalls& operator=(const ManyBalls& other) {
     if (this != &other) *this = ManyBalls(other);
     return *this;
@@ -41,8 +41,6 @@ class ManyBalls {
 
   /// Another variant of the pass than the fastest one, for tests and measurements.
   void use_pass(PassFunction variant) { pass_ = variant; }
-  /// For how many steps a list should hold, at the speed of the fastest ball.
-  void use_skin_steps(double steps) { skin_steps_ = steps; }
 
   long long lists_built() const { return lists_built_; }
   std::size_t bytes() const;  // what is kept between two calls
@@ -53,8 +51,6 @@ class ManyBalls {
   void pass(const Pass& what, Team& team);
 
   PassFunction pass_ = fastest_pass();
-  double skin_steps_ = 120;
-  double thin_skin_steps_ = 12;
   NeighbourList list_;
   std::vector<BallRecord> now_, next_;  // one for each slot, and nobody at the end
   std::vector<int> number_;             // of each slot

@@ -38,23 +38,17 @@ double dot(const A& a, const B& b) {
   }
 }
 
-/// Distance between two positions [m], or size of the difference of two velocities [m/s].
-template <class Vector>
-double distance_between(const Vector& a, const Vector& b) {
-  if constexpr (std::is_same_v<Vector, double>) {
-    return std::abs(a - b);
-  } else {
-    return (a - b).norm();
-  }
-}
-
-/// The same for the ball that is furthest off, where there are many: a column for each.
+/// Distance between two positions [m], or size of the difference of two velocities [m/s]. Of many
+/// balls, a column for each: of the one that is furthest off.
 template <class Vector>
 double largest_distance(const Vector& a, const Vector& b) {
-  if constexpr (requires { a.colwise(); }) {
-    if constexpr (Vector::ColsAtCompileTime != 1) return (a - b).colwise().norm().maxCoeff();
+  if constexpr (std::is_same_v<Vector, double>) {
+    return std::abs(a - b);
+  } else if constexpr (Vector::ColsAtCompileTime == 1) {
+    return (a - b).norm();
+  } else {
+    return (a - b).colwise().norm().maxCoeff();
   }
-  return distance_between(a, b);
 }
 
 /// No component is infinite or "not a number".

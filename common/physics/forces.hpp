@@ -11,7 +11,6 @@ namespace bounce {
 template <class Vector>
 struct Forces {
   Vector gravity, spring, damper;
-  Vector net() const { return gravity + spring + damper; }
 };
 
 /// The parts of scene.force(t, state), for arrows and for the energy book. Gravity and spring are

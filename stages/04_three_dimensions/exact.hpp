@@ -1,6 +1,5 @@
 #pragma once
 #include <Eigen/Core>
-#include <array>
 
 #include "04_three_dimensions/three_dimensions.hpp"
 #include "physics/events/closed_form.hpp"
@@ -10,7 +9,7 @@ namespace bounce {
 
 /// Stage 4 in closed form. No force mixes the directions, so there are three problems side by side:
 /// up and down it is stage 3, and sideways the ball moves uniformly.
-class ThreeDimensionsExact {
+class ThreeDimensionsExact : public PhasesInSpace<ThreeDimensionsExact> {
   using Ball = State<Eigen::Vector3d>;
 
   /// Stage 3, if there is a floor.
@@ -48,27 +47,8 @@ class ThreeDimensionsExact {
     return beside;
   }
 
-  // ---- For methods that step, but locate events or fly by formula
-  Phase phase_at(const Ball& ball) const { return upwards.phase_at(along(ball)); }
-  Ball move(Phase phase, const Ball& start, double t) const {
-    return together(move_beside(start, t), upwards.move(phase, along(start), t));
-  }
-  PhaseEnd end_of(Phase phase, const Ball& start) const {
-    return upwards.end_of(phase, along(start));
-  }
-  Ball at_event(Phase before, Phase after, const Ball& ball) const {
-    return together(ball, upwards.at_event(before, after, along(ball)));
-  }
   Eigen::Vector3d acceleration(Phase phase, double t, const Ball& ball) const {
     return {0, upwards.acceleration(phase, t, along(ball)), 0};
-  }
-  EventValue event_value(Phase next, double t, const Ball& ball) const {
-    return upwards.event_value(next, t, along(ball));
-  }
-  std::array<Phase, 1> after_touch() const { return upwards.after_touch(); }
-  double time_scale() const { return upwards.time_scale(); }
-  double max_bend(Phase next, double t, const Ball& ball, double window) const {
-    return upwards.max_bend(next, t, along(ball), window);
   }
 
  private:

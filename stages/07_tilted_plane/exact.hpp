@@ -1,6 +1,5 @@
 #pragma once
 #include <Eigen/Core>
-#include <array>
 
 #include "07_tilted_plane/tilted_plane.hpp"
 #include "physics/events/closed_form.hpp"
@@ -11,7 +10,7 @@ namespace bounce {
 /// Stage 7 in closed form. Along the normal it is stage 3 with gravity's normal component. Along
 /// the plane nothing acts but gravity's other component: the foot of the ball, the point of the
 /// plane nearest to it, is uniformly accelerated.
-class TiltedPlaneExact {
+class TiltedPlaneExact : public PhasesInSpace<TiltedPlaneExact> {
   using Ball = State<Eigen::Vector3d>;
 
  public:
@@ -36,37 +35,14 @@ class TiltedPlaneExact {
     const auto [distance, speed] = along(ball);
     return {ball.position - distance * plane.normal, ball.velocity - speed * plane.normal};
   }
-  Ball move_beside(Ball foot, double t) const {
-    foot.position += (foot.velocity + downhill * (t / 2)) * t;
-    foot.velocity += downhill * t;
-    return foot;
-  }
+  Ball move_beside(const Ball& foot, double t) const { return fly(foot, downhill, t); }
   Ball together(const Ball& foot, const State<double>& along) const {
     return {foot.position + along.position * plane.normal,
             foot.velocity + along.velocity * plane.normal};
   }
 
-  // ---- For methods that step, but locate events or fly by formula
-  Phase phase_at(const Ball& ball) const { return along_normal.phase_at(along(ball)); }
-  Ball move(Phase phase, const Ball& start, double t) const {
-    return together(move_beside(beside(start), t), along_normal.move(phase, along(start), t));
-  }
-  PhaseEnd end_of(Phase phase, const Ball& start) const {
-    return along_normal.end_of(phase, along(start));
-  }
-  Ball at_event(Phase before, Phase after, const Ball& ball) const {
-    return together(beside(ball), along_normal.at_event(before, after, along(ball)));
-  }
   Eigen::Vector3d acceleration(Phase phase, double t, const Ball& ball) const {
     return downhill + along_normal.acceleration(phase, t, along(ball)) * plane.normal;
-  }
-  EventValue event_value(Phase next, double t, const Ball& ball) const {
-    return along_normal.event_value(next, t, along(ball));
-  }
-  std::array<Phase, 1> after_touch() const { return along_normal.after_touch(); }
-  double time_scale() const { return along_normal.time_scale(); }
-  double max_bend(Phase next, double t, const Ball& ball, double window) const {
-    return along_normal.max_bend(next, t, along(ball), window);
   }
 
  private:

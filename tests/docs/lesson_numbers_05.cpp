@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "05_ball_collision/run/balls_world.hpp"
 #include "05_ball_collision/scenes/scenes.hpp"
 #include "docs/tables.hpp"
 #include "physics/methods/semi_implicit_euler.hpp"
@@ -39,7 +40,35 @@ void tower_heights() {
   std::printf("| 0 | 1e6 | %.2f |\n", flight(0, 1e6, 1e-4));
 }
 
-const bounce::test::Table tables[] = {{"tower", tower_heights}};
+/// 27 balls dropped into a tray, one of them moved aside by so much at the start [m].
+BallsRun heap(double aside) {
+  BallsRun run;
+  for (const auto& [name, value] : {std::pair{"scene", "drop"}, {"count", "27"}}) {
+    find_parameter(run.parameters(), name).set(value);
+  }
+  run.use_dt(1e-4);
+  run.restart();
+  std::vector<double> rows = run.values();
+  rows[1] += aside;
+  run.place(rows);
+  return run;
+}
+
+/// How two heaps part that differ by a hair: when the ball that is furthest off is so far away.
+void growth() {
+  BallsRun one = heap(0), other = heap(1e-12);
+  std::printf("| furthest ball [m] | after [s] |\n|---|---|\n");
+  double t = 0;
+  for (const double apart : {1e-11, 1e-9, 1e-7, 1e-5, 1e-3, 0.05}) {
+    for (; largest_distance(one.state().position, other.state().position) < apart; t += 0.001) {
+      one.advance_to(t);
+      other.advance_to(t);
+    }
+    std::printf("| %g | %.2f |\n", apart, t);
+  }
+}
+
+const bounce::test::Table tables[] = {{"tower", tower_heights}, {"growth", growth}};
 
 }  // namespace
 

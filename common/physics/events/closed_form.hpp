@@ -19,6 +19,13 @@ inline State<double> fly(const State<double>& start, double gravity, double t) {
   return {start.position + (start.velocity - gravity * t / 2) * t, start.velocity - gravity * t};
 }
 
+/// The same in space, where the acceleration [m/s^2] is a vector.
+template <class Vector>
+State<Vector> fly(const State<Vector>& start, const Vector& acceleration, double t) {
+  return {start.position + (start.velocity + acceleration * (t / 2)) * t,
+          start.velocity + acceleration * t};
+}
+
 /// How fast a ball comes down to the touch [m/s] that is `height` >= 0 above it and flies with
 /// `velocity`. Negative when it never gets there: gravity may be negative and pull away from the
 /// touch (an overhanging plane).

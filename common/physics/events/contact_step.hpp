@@ -67,7 +67,6 @@ class ContactStep {
     return method_.step(start.contacts, 0, since);
   }
 
-  double tolerance() const { return tolerance_; }
   std::size_t watched() const { return watched_.size(); }
   long long force_evaluations() const { return method_.evaluations(); }
 

@@ -61,4 +61,37 @@ class EventDriven<Phases, Eigen::Vector3d> {
   InSpace beside_;
 };
 
+/// The same phases for methods that step, but locate events or fly by formula. What `Self` says of
+/// them is split as above, and put together again.
+template <class Self>
+class PhasesInSpace {
+  using Ball = State<Eigen::Vector3d>;
+
+ public:
+  Phase phase_at(const Ball& ball) const { return bounce().phase_at(self().along(ball)); }
+  Ball move(Phase phase, const Ball& start, double t) const {
+    return self().together(self().move_beside(self().beside(start), t),
+                           bounce().move(phase, self().along(start), t));
+  }
+  PhaseEnd end_of(Phase phase, const Ball& start) const {
+    return bounce().end_of(phase, self().along(start));
+  }
+  Ball at_event(Phase before, Phase after, const Ball& ball) const {
+    return self().together(self().beside(ball),
+                           bounce().at_event(before, after, self().along(ball)));
+  }
+  EventValue event_value(Phase next, double t, const Ball& ball) const {
+    return bounce().event_value(next, t, self().along(ball));
+  }
+  auto after_touch() const { return bounce().after_touch(); }
+  double time_scale() const { return bounce().time_scale(); }
+  double max_bend(Phase next, double t, const Ball& ball, double window) const {
+    return bounce().max_bend(next, t, self().along(ball), window);
+  }
+
+ private:
+  const Self& self() const { return static_cast<const Self&>(*this); }
+  decltype(auto) bounce() const { return self().bounce(); }
+};
+
 }  // namespace bounce

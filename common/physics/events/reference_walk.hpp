@@ -60,7 +60,6 @@ class Reference {
 
   double last_event() const { return t_; }  // or the end of the last step [s]
   const Contacts& contacts() const { return contacts_; }
-  double tolerance() const { return contact_.tolerance(); }
   long long force_evaluations() const { return contact_.force_evaluations(); }
   long long pieces() const { return pieces_; }
 

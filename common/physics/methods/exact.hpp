@@ -1,5 +1,6 @@
 #pragma once
 #include "physics/events/event_driven.hpp"
+#include "physics/methods/event_method.hpp"
 #include "physics/methods/method.hpp"
 
 namespace bounce {
@@ -16,30 +17,15 @@ inline constexpr Method exact{
 /// Where flight and contact have closed forms. `Phases` are those of the scene
 /// (events/closed_form.hpp).
 template <class Phases, class Vector>
-struct ExactMethod {
+struct ExactMethod : EventMethod<EventDriven<Phases, Vector>> {
   static constexpr Method facts = methods::exact;
 
   template <class World>
   ExactMethod(const World& world, double t, const State<Vector>& state, double /*tolerance*/)
-      : walk(world.phases(), t, state) {}
+      : EventMethod<EventDriven<Phases, Vector>>{{world.phases(), t, state}} {}
 
   /// A start on the touch begins with it.
-  void pass_event_at(double t) { walk.reach(t, 1); }
-
-  double go_towards(double t, long long most_events, State<Vector>& state) {
-    const double reached = walk.reach(t, most_events) ? t : walk.last_event();
-    state = walk.at(reached);
-    return reached;
-  }
-  double next_event() const { return walk.next_event(); }
-
-  template <class Self, class Visit>
-  static void remembered(Self& self, Visit& visit) {
-    self.walk.remembered(self.walk, visit);
-  }
-  void resume() { walk.resume(); }
-
-  EventDriven<Phases, Vector> walk;
+  void pass_event_at(double t) { this->walk.reach(t, 1); }
 };
 
 }  // namespace bounce

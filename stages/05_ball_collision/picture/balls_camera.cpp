@@ -46,12 +46,8 @@ Framing framing_of(const BallsRun& balls) {
 Camera camera_for(const Playback& playback, const View& view) {
   const Framing framing = framing_of(balls_of(playback));
   const double distance = framing.size / 2 / std::tan(opening * std::numbers::pi / 360);
-  if (view.from_above) {
-    const Vector3d eye = framing.centre + Vector3d(0, 20 * distance, 0);
-    return {eye, framing.centre, {0, 0, -1}, layout::scene, opening / 20};
-  }
-  const Vector3d direction = Vector3d(-0.10, framing.steepness, 0.95).normalized();
-  return {framing.centre + distance * direction, framing.centre, {0, 1, 0}, layout::scene, opening};
+  return camera_before(framing.centre, distance, framing.steepness, layout::scene, opening,
+                       view.from_above);
 }
 
 }  // namespace bounce

@@ -21,19 +21,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int few = 40;              // up to so many balls have shadows and can be dragged,
-constexpr int very_few = 16;         // and so many have trails, arrows and numbers
-constexpr double fastest_throw = 8;  // m/s
+constexpr int few = 40;       // up to so many balls have shadows and can be dragged,
+constexpr int very_few = 16;  // and so many have trails, arrows and numbers
 
 /// Grey at rest, blue when fast. "Fast" is the speed at which all balls together would have the
 /// energy of the start.
 Colour colour_of(double speed, double fast) {
-  const double share = std::clamp(speed / fast, 0.0, 1.0);
-  const auto mix = [share](std::uint8_t slow, std::uint8_t quick) {
-    return static_cast<std::uint8_t>(slow + share * (quick - slow));
-  };
   constexpr Colour slow{0xF4, 0xF6, 0xF8}, quick{0x2A, 0x8F, 0xD6};
-  return {mix(slow.red, quick.red), mix(slow.green, quick.green), mix(slow.blue, quick.blue)};
+  return slow.towards(quick, std::clamp(speed / fast, 0.0, 1.0));
 }
 
 void draw_tray(Canvas& canvas, const Camera& camera, const BallCollision& scene, double height) {
@@ -79,13 +74,13 @@ void draw_balls(Canvas& canvas, const Camera& camera, const Playback& playback, 
     if (view.trail) draw_trails(canvas, camera, playback, count);
   }
   // From near to far to leave out what is hidden, and then drawn from far to near.
-  struct Seen {
+  struct Visible {
     double depth;
     Point centre;
     float radius;
     double speed;
   };
-  std::vector<Seen> seen;
+  std::vector<Visible> seen;
   for (std::size_t i = 0; i < count; ++i) {
     const Vector3d centre = position(rows, i);
     if (!camera.sees(centre)) continue;
@@ -93,9 +88,9 @@ void draw_balls(Canvas& canvas, const Camera& camera, const Playback& playback, 
     seen.push_back({camera.depth(centre), camera.at(centre), size, velocity(rows, i).norm()});
   }
   std::sort(seen.begin(), seen.end(),
-            [](const Seen& a, const Seen& b) { return a.depth < b.depth; });
+            [](const Visible& a, const Visible& b) { return a.depth < b.depth; });
   Cover cover(layout::scene);
-  std::erase_if(seen, [&](const Seen& ball) { return !cover.add(ball.centre, ball.radius); });
+  std::erase_if(seen, [&](const Visible& ball) { return !cover.add(ball.centre, ball.radius); });
   const double mass = scene.mass.sum();
   const double fast =
       std::sqrt(2 * std::max(std::abs(simulation.energy_account().before), 1e-12) / mass);

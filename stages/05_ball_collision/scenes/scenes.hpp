@@ -17,8 +17,8 @@ struct Arrangement {
   Eigen::VectorXd radius;           // m
   State<Eigen::Matrix3Xd> balls{};  // m, m/s
 
-  explicit Arrangement(Eigen::Index count, double ball_mass = 1, double ball_radius = 0.1)
-      : mass(Eigen::VectorXd::Constant(count, ball_mass)),
+  explicit Arrangement(Eigen::Index count, double ball_radius = 0.1)
+      : mass(Eigen::VectorXd::Ones(count)),
         radius(Eigen::VectorXd::Constant(count, ball_radius)) {
     balls.position.setZero(3, count);
     balls.velocity.setZero(3, count);
@@ -97,7 +97,7 @@ inline double tray_for(double count) {
 /// Balls on a lattice, `gap` apart and each moved a little by chance, above a tray of that size.
 inline Arrangement drop(int count, double gap, std::array<double, 2> tray, std::uint64_t seed) {
   constexpr double radius = 0.05;
-  Arrangement start(count, 1, radius);
+  Arrangement start(count, radius);
   const double spacing = 2 * radius + gap;
   const auto fitting = [&](double width) {
     const double square = std::sqrt(count) * spacing;  // where there are no walls

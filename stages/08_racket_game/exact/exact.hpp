@@ -63,11 +63,7 @@ class RacketExact {
  private:
   // ---- The two directions: along the normal it is stage 3, along the disc a parabola.
 
-  static Ball fly(const Ball& start, const Eigen::Vector3d& gravity, double t) {
-    return {start.position + (start.velocity + gravity * (t / 2)) * t,
-            start.velocity + gravity * t};
-  }
-  Ball fly(const Ball& start, double t) const { return fly(start, gravity_, t); }
+  Ball fly(const Ball& start, double t) const { return bounce::fly(start, gravity_, t); }
 
   int side_of(const Ball& ball) const { return dot(normal_, ball.position) < 0 ? -1 : 1; }
 
@@ -151,7 +147,7 @@ class RacketExact {
     const Eigen::Vector3d pull = along(gravity_);
     const double a = pull.norm();
     const auto value_at = [&](double t) {
-      const Ball now = fly(foot, pull, t);
+      const Ball now = bounce::fly(foot, pull, t);
       const double v = now.velocity.norm();
       const double faster = std::max(v, std::sqrt(a * disc_radius_));
       const double fastest = v + (a > 0 ? faster : 0);

@@ -90,9 +90,7 @@ struct BlindStart {
 };
 
 inline BlindStart blind_start(const Settings& settings) {
-  const SpringDamper law{settings.racket.stiffness, settings.racket.damping,
-                         settings.racket.contact};
-  const double contact = std::min(contact_time(law, settings.racket.mass), 0.2);
+  const double contact = settings.hit_time();
   const double g = settings.racket.gravity;
   BlindStart start;
   const double v = start.swing.speed(g, contact);
@@ -106,10 +104,7 @@ inline BlindStart blind_start(const Settings& settings) {
 
 /// When the human plays blind. (The blind player has a swing of its own.)
 inline Beat beat_of(const Settings& settings) {
-  const SpringDamper law{settings.racket.stiffness, settings.racket.damping,
-                         settings.racket.contact};
-  return beat_for(settings.racket.gravity, settings.restitution(),
-                  std::min(contact_time(law, settings.racket.mass), 0.2));
+  return beat_for(settings.racket.gravity, settings.restitution(), settings.hit_time());
 }
 
 /// Who does not look is spared that it becomes harder.

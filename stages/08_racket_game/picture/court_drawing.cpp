@@ -34,13 +34,6 @@ constexpr Colour face{0xCB, 0xD3, 0xDA};  // of the racket
 constexpr Colour back{0xA6, 0xAF, 0xB8};
 constexpr Colour rim_grey{0x3A, 0x44, 0x4E};
 
-Colour mixed(Colour from, Colour to, double share) {
-  const auto mix = [share](std::uint8_t a, std::uint8_t b) {
-    return static_cast<std::uint8_t>(a + share * (b - a));
-  };
-  return {mix(from.red, to.red), mix(from.green, to.green), mix(from.blue, to.blue), 255};
-}
-
 }  // namespace
 
 Court court_of(const Simulation& simulation) {
@@ -69,7 +62,7 @@ void draw_sky(Canvas& canvas, const Camera& camera, Rect area, double floor) {
     const float top = area.y + static_cast<float>(i) * height;
     if (top >= horizon) break;
     draw_rect(canvas, {area.x, top, area.width, std::min(height, horizon - top)},
-              mixed(zenith, palette::paper, (i + 0.5) / strips));
+              zenith.towards(palette::paper, (i + 0.5) / strips));
   }
   const std::array<Point, 2> line{Point{area.x, horizon}, Point{area.right(), horizon}};
   canvas.line(line, palette::grid_major, 1);
@@ -102,7 +95,7 @@ void draw_floor(Canvas& canvas, const Camera& camera, double floor, const Vector
 void draw_disc(Canvas& canvas, const Camera& camera, const Disc& disc, bool from_front,
                double glow) {
   const std::vector<Vector3d> edge = circle(disc.centre, disc.normal, disc.radius);
-  const Colour fill = mixed(from_front ? face : back, accent, 0.35 * glow);
+  const Colour fill = (from_front ? face : back).towards(accent, 0.35 * glow);
   draw_patch(canvas, camera, edge, {fill.red, fill.green, fill.blue, 235});
   const auto inner = circle(disc.centre, disc.normal, disc.radius / 2, 48);
   draw_path(canvas, camera, inner, rim_grey.faded(0.4), 1);

@@ -47,10 +47,7 @@ class RacketContacts {
   // ---- Flight
 
   bool in_flight() const { return phase_ == Phase::flight; }
-  Ball fly(const Ball& start, double t) const {
-    return {start.position + (start.velocity + gravity_ * (t / 2)) * t,
-            start.velocity + gravity_ * t};
-  }
+  Ball fly(const Ball& start, double t) const { return bounce::fly(start, gravity_, t); }
 
   /// The disc is convex, so that the distance to it is a convex function of where the ball is: in
   /// flight its second derivative is never below -g. That is enough to miss no touch.

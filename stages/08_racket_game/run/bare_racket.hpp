@@ -16,22 +16,13 @@ namespace bounce {
 
 /// `exact` and `reference` for a ball and a racket in uniform motion: both walk in the racket's
 /// frame of reference.
-struct ExactBesideRacket {
+struct ExactBesideRacket : EventMethod<RacketWalk> {
   static constexpr Method facts = methods::exact;
 
   template <class World>
   ExactBesideRacket(const World& world, double t, const State<Eigen::Vector3d>& ball,
                     double /*tolerance*/)
-      : walk(world.scene_now(), t, ball) {}
-
-  double next_event() const { return walk.next_event(); }
-  template <class Self, class Visit>
-  static void remembered(Self& self, Visit& visit) {
-    self.walk.remembered(self.walk, visit);
-  }
-  void resume() { walk.resume(); }
-
-  RacketWalk walk;
+      : EventMethod<RacketWalk>{{world.scene_now(), t, ball}} {}
 };
 
 struct ReferenceBesideRacket : ReferenceMethod<RacketContacts, Eigen::Vector3d> {

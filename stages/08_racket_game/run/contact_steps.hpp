@@ -5,6 +5,7 @@
 
 #include "08_racket_game/racket_game.hpp"
 #include "physics/contact.hpp"
+#include "physics/events/closed_form.hpp"
 #include "physics/events/event_driven.hpp"
 #include "physics/stability.hpp"
 #include "physics/state.hpp"
@@ -73,11 +74,8 @@ class ContactSteps {
     return scene_.nearest(scene_.disc_at(t), ball.position).distance - scene_.radius;
   }
 
-  /// v(t) = v0 - g t,  p(t) = p0 + v0 t - g t^2 / 2.
   Ball flown(const Ball& start, double t) const {
-    const Eigen::Vector3d gravity(0, -scene_.gravity, 0);
-    return {start.position + (start.velocity + gravity * (t / 2)) * t,
-            start.velocity + gravity * t};
+    return fly<Eigen::Vector3d>(start, {0, -scene_.gravity, 0}, t);
   }
 
   /// In contact for `left` seconds, or until the ball is off. Returns how long.

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -25,10 +26,10 @@ struct RacketSetup {
 
   std::vector<Parameter> parameters();
 
-  double restitution() const {
-    const SpringDamper contact{racket.stiffness, racket.damping, racket.contact};
-    return bounce::restitution(contact, racket.mass);
-  }
+  SpringDamper contact() const { return {racket.stiffness, racket.damping, racket.contact}; }
+  double restitution() const { return bounce::restitution(contact(), racket.mass); }
+  /// How long a hit takes [s]; a ball that would stay for ever counts as one for a moment.
+  double hit_time() const { return std::min(contact_time(contact(), racket.mass), 0.2); }
   ContactNumbers contact_numbers() const {
     return {natural_frequency(racket.stiffness, racket.mass),
             damping_ratio(racket.stiffness, racket.damping, racket.mass), racket.contact};
