@@ -41,7 +41,8 @@ void PlotView::draw(Canvas& canvas, Rect area, const Plot& plot, const Playback&
 
   std::vector<const TracePoint*> points;
   for (const TracePoint& point : playback.trace()) {
-    if (point.t >= from - 0.05 && point.t <= now) points.push_back(&point);
+    // `now` is a sum of pieces: rounded, it may end just before the step that it shows.
+    if (point.t >= from - 0.05 && point.t <= now + 1e-9) points.push_back(&point);
   }
   for (const TracePoint* point : points) {
     const double value = plot.value(*point);

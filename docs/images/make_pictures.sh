@@ -21,7 +21,7 @@ energy='split[s][e];[s]crop=580:532:16:4[s];[e]crop=92:532:750:4[e];[s][e]hstack
 plot="split[w][p];[w]${energy}[w];[p]crop=420:178:420:540,pad=672:178:126:0:0xfafaf7[p];[w][p]vstack"
 
 picture 01_free_fall.png "$side" 01_free_fall --dt 0.1 --duration 0.9
-picture 02_spring_floor.png "$energy" 02_spring_floor --set stiffness=2000 --duration 2.34
+picture 02_spring_floor.png "$energy" 02_spring_floor --set stiffness=2000 --duration 0.45
 picture 02_explicit_euler.png "$energy" 02_spring_floor --method explicit-euler --duration 2.8
 picture 03_damping.png "$plot" 03_damping --set damping=18 --duration 2.2
 picture 03_pull.png "$energy" 03_damping --set damping=43 --dt 0.0001 --duration 0.458

@@ -139,8 +139,8 @@ double time_to_bottom(const EventDriven<Phases>& at_touch) {
 }
 
 void stiffness() {
-  header({"stiffness [N/m]", "contact [ms]", "greatest overlap [mm]", "peak force [weights]",
-          "height after the bounce [m]"});
+  header({"stiffness [N/m]", "contact [ms]", "greatest overlap [mm]",
+          "peak spring force [times the weight]", "height after the bounce [m]"});
   for (const double k : {2e3, 1e4, 1e5}) {
     SpringFloor scene;
     scene.stiffness = k;

@@ -2,7 +2,7 @@
 //   <bounce-figure name="03_damping" words="--set damping=18" slider="damping" seconds="3">
 // slider: parameters, `velocity.x` a component of one, `dt` the step, `method` a choice of methods.
 // y, x: columns of the trace (x: t, in place of one), or y=apart, how far the height is from that by formula; of ball `ball`
-// (from 0), and pale of `other`. exact: the curve by formula, dashed. beside: the words of a second run, pale. xrange: what is shown.
+// (from 0), and pale of `other`. exact: the curve by formula, dashed. beside: the words of a second run, pale. xrange, yrange: what is shown.
 // bet: what the reader guesses before anything is drawn, and then plays. He drags a flag to the height of the second top (top2), of
 // any top (tops), to where the first touch begins (touch1), to the end (end). With a slider he sets that, for the top to be at `goal`.
 import { start } from './module.js';
@@ -125,6 +125,7 @@ class Figure extends HTMLElement {
     [0, 1].forEach(i => {
       let low = Math.min(...all.map(p => p[i])), high = Math.max(...all.map(p => p[i]));
       if (i) { low = Math.min(low, 0); high += .08 * (high - low); }
+      if (i && this.hasAttribute('yrange')) [low, high] = this.get('yrange').split(/[ ,]/).map(Number); // so that it does not tell the answer
       if (!(high > low)) high = low + 1;
       this.low ??= []; this.high ??= [];
       this.low[i] = Math.min(this.low[i] ?? low, Math.max(low, -1e3)); this.high[i] = Math.max(this.high[i] ?? high, Math.min(high, 1e3));

@@ -62,6 +62,7 @@ class Stage extends HTMLElement {
   runTo(at) {
     const { api } = this, now = () => JSON.parse(api.state()).t;
     if (!at) return;
+    api.see('forces', 1); // as in the picture whose place it takes
     api.press('p'.charCodeAt());
     for (let t = now(), n = 0; t < at - 1e-9 && n < 1000; t = now(), ++n) api.move(Math.min(.05, at - t));
     api.press('p'.charCodeAt());
