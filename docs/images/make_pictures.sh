@@ -21,16 +21,16 @@ energy='split[s][e];[s]crop=580:532:16:4[s];[e]crop=92:532:750:4[e];[s][e]hstack
 plot="split[w][p];[w]${energy}[w];[p]crop=420:178:420:540,pad=672:178:126:0:0xfafaf7[p];[w][p]vstack"
 
 picture 01_free_fall.png "$side" 01_free_fall --dt 0.1 --duration 0.9
-picture 02_spring_floor.png "$energy" 02_spring_floor --set stiffness=2000 --duration 0.45
+picture 02_spring_floor.png "$energy" 02_spring_floor --set stiffness=2000 --dt 0.0001 --duration 0.45
 picture 02_explicit_euler.png "$energy" 02_spring_floor --method explicit-euler --duration 2.8
-picture 03_damping.png "$plot" 03_damping --set damping=18 --duration 2.2
+picture 03_damping.png "$plot" 03_damping --set damping=18 --dt 0.0001 --duration 2.2
 picture 03_pull.png "$energy" 03_damping --set damping=43 --dt 0.0001 --duration 0.458
 picture 04_three_dimensions.png "$scene" 04_three_dimensions --duration 2.05
 picture 04_from_above.png "$scene" 04_three_dimensions --duration 2.05 --from-above
 picture 05_ball_collision.png "$scene" 05_ball_collision --set scene=break --duration 0.95
 picture 05_tower.png "$scene" 05_ball_collision --set scene=tower --set gap=0.1 --duration 1.53
 picture 05_drop.png "$scene" 05_ball_collision --set scene=drop --set count=1000 --duration 0.62
-picture 06_oscillating_floor.png "$energy" 06_oscillating_floor --dt 0.0001 --duration 9.2
+picture 06_oscillating_floor.png "$energy" 06_oscillating_floor --method exact --duration 26.1
 picture 06_switch.png "$energy" 06_oscillating_floor --set floor_law=fixed-switch --dt 0.0001 --duration 0.385
 picture 07_tilted_plane.png "$scene" 07_tilted_plane --duration 2.95 --method exact \
   --set damping=0 --set stiffness=1e6
