@@ -4,6 +4,7 @@
 #include <iostream>
 #include <utility>
 
+#include "run/file_name.hpp"
 #include "run/output_file.hpp"
 
 namespace bounce {
@@ -15,7 +16,7 @@ std::string place_for(const std::string& file) {
     OutputFile::check("", file);
     return file;
   } catch (const BadInput&) {
-    return (std::filesystem::temp_directory_path() / file).string();
+    return name_of(std::filesystem::temp_directory_path() / file);
   }
 }
 
@@ -45,7 +46,7 @@ static void refuse_same_file(const Options& options) {
           *a.second == "/dev/null")
         continue;
       const auto place = [](const std::string& path) {
-        return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path_of(path)));
       };
       if (place(*a.second) != place(*b.second)) continue;
       throw BadInput(std::string(a.first) + " and " + b.first + " name the same file '" +

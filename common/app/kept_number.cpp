@@ -5,13 +5,15 @@
 #include <fstream>
 #include <system_error>
 
+#include "run/file_name.hpp"
+
 namespace bounce {
 namespace {
 
 std::filesystem::path data_folder() {
   const auto variable = [](const char* name) -> std::filesystem::path {
     const char* value = std::getenv(name);
-    return value == nullptr ? "" : value;
+    return path_of(value == nullptr ? "" : value);
   };
   if (const auto data = variable("XDG_DATA_HOME"); !data.empty()) return data / "bounce";
   if (const auto windows = variable("APPDATA"); !windows.empty()) return windows / "bounce";
@@ -23,7 +25,7 @@ std::filesystem::path data_folder() {
 
 }  // namespace
 
-std::string kept_folder() { return data_folder().string(); }
+std::string kept_folder() { return name_of(data_folder()); }
 
 int kept_number(const std::string& name) {
   int number = 0;

@@ -1,9 +1,9 @@
 #include "app/key_map.hpp"
 
-#include <filesystem>
 #include <vector>
 
 #include "app/kept_number.hpp"
+#include "run/file_name.hpp"
 #include "run/input_file.hpp"
 
 namespace bounce {
@@ -21,7 +21,7 @@ SDL_Scancode key_named(const InputFile& file, const std::string& name) {
 
 std::string KeyMap::usual_path() {
   const std::string folder = kept_folder();
-  return folder.empty() ? "" : (std::filesystem::path(folder) / "keys.txt").string();
+  return folder.empty() ? "" : name_of(path_of(folder) / "keys.txt");
 }
 
 void KeyMap::read(const std::string& path) {

@@ -6,24 +6,17 @@
 
 #include "physics/text.hpp"
 
-#ifdef _WIN32
-#define popen _popen
-#define pclose _pclose
-#endif
-
 namespace bounce {
 namespace {
 
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-bool is_gif(const std::string& path) {
-  if (ends_with(path, ".gif")) return true;
-  if (ends_with(path, ".mp4")) return false;
-  throw BadInput("--record '" + path + "' is not allowed: it must end in .gif or .mp4");
-}
-
+#ifdef _WIN32
+constexpr const char *nothing = "NUL", *to_write = "wb";
+#define popen _popen
+#define pclose _pclose
+/// One word of a command line. No name of a file has a " in it there.
+std::string quoted(const std::string& word) { return '"' + word + '"'; }
+#else
+constexpr const char *nothing = "/dev/null", *to_write = "w";
 /// One word of a shell's command line, whatever letters it has.
 std::string quoted(const std::string& word) {
   std::string text = "'";
@@ -34,6 +27,17 @@ std::string quoted(const std::string& word) {
       text += letter;
   }
   return text + "'";
+}
+#endif
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+bool is_gif(const std::string& path) {
+  if (ends_with(path, ".gif")) return true;
+  if (ends_with(path, ".mp4")) return false;
+  throw BadInput("--record '" + path + "' is not allowed: it must end in .gif or .mp4");
 }
 
 }  // namespace
@@ -59,7 +63,7 @@ void write_png(const std::string& path, const Pixels& pixels) {
 
 Recorder::Recorder(const std::string& path)
     : path_(path), is_gif_(is_gif(path)), file_("--record", path) {
-  if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) {
+  if (std::system((std::string("ffmpeg -version > ") + nothing + " 2>&1").c_str()) != 0) {
     throw MachineFailure(
         "--record needs the program ffmpeg, which is not here: install it "
         "(Debian, Ubuntu: apt-get install ffmpeg; macOS: brew install ffmpeg)");
@@ -76,7 +80,7 @@ void Recorder::add(const Pixels& pixels) {
     const std::string command = "ffmpeg -loglevel error -y -f rawvideo -pix_fmt rgb24 -s " + size +
                                 " -r " + std::to_string(frames_per_second()) + " -i - " + how +
                                 " " + quoted(file_.path_in_work());
-    pipe_ = popen(command.c_str(), "w");
+    pipe_ = popen(command.c_str(), to_write);
     if (pipe_ == nullptr) throw MachineFailure("--record: ffmpeg could not be started");
   }
   if (std::fwrite(pixels.rgb.data(), 1, pixels.rgb.size(), pipe_) != pixels.rgb.size()) {

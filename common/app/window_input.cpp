@@ -1,9 +1,8 @@
 // What the user does to the window: keys, mouse, and clicks on the chart.
-#include <filesystem>
-
 #include "app/layout.hpp"
 #include "app/survey.hpp"
 #include "app/window.hpp"
+#include "run/file_name.hpp"
 
 namespace bounce {
 
@@ -86,7 +85,7 @@ void Window::begin_game() {
   const std::string usual = KeyMap::usual_path();
   if (!demo_.keys.empty()) {
     keys_.read(demo_.keys);
-  } else if (std::filesystem::exists(usual)) {
+  } else if (std::filesystem::exists(path_of(usual))) {
     keys_.read(usual);
   }
   SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "0");  // a finger moves: it is no button

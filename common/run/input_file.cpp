@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "physics/text.hpp"
+#include "run/file_name.hpp"
 
 namespace bounce {
 InputFile::InputFile(std::string option, std::string path, const std::string& hint)
@@ -12,7 +13,8 @@ InputFile::InputFile(std::string option, std::string path, const std::string& hi
       hint_(hint.empty() ? "" : "; " + hint),
       file_(path_, std::ios::binary) {
   std::error_code error;
-  if (std::filesystem::is_directory(path_, error)) refuse("it is a folder, and must be a file");
+  if (std::filesystem::is_directory(path_of(path_), error))
+    refuse("it is a folder, and must be a file");
   if (!file_.is_open()) refuse("it must be a file that can be read");
 }
 
@@ -30,8 +32,9 @@ bool InputFile::next_line() {
 }
 
 std::string InputFile::whole() {
-  if (!std::filesystem::is_regular_file(path_)) refuse("it is no file that can be read");
-  std::string text(static_cast<std::size_t>(std::filesystem::file_size(path_)), ' ');
+  const std::filesystem::path path = path_of(path_);
+  if (!std::filesystem::is_regular_file(path)) refuse("it is no file that can be read");
+  std::string text(static_cast<std::size_t>(std::filesystem::file_size(path)), ' ');
   file_.seekg(0);
   if (!file_.read(text.data(), static_cast<std::streamsize>(text.size()))) {
     refuse("it must be a file that can be read");

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "physics/text.hpp"
+#include "run/file_name.hpp"
 
 #ifdef _WIN32
 #include <fcntl.h>
@@ -38,8 +39,8 @@ OutputFile::OutputFile(std::string option, const std::string& path)
     return;
   }
   std::error_code error;
-  if (const fs::path real = fs::canonical(path, error); !error) path_ = real.string();
-  const fs::file_status target = fs::status(path_, error);
+  if (const fs::path real = fs::canonical(path_of(path), error); !error) path_ = name_of(real);
+  const fs::file_status target = fs::status(path_of(path_), error);
   if (path.empty() || fs::is_directory(target)) {
     throw BadInput(option_ + " '" + path + "' is not allowed: it must be the path of a file");
   }
@@ -58,7 +59,7 @@ OutputFile::OutputFile(std::string option, const std::string& path)
 
 void OutputFile::check(const std::string& option, const std::string& path) {
   std::error_code error;
-  const fs::file_status target = fs::status(path, error);
+  const fs::file_status target = fs::status(path_of(path), error);
   if (path == "-" || fs::is_character_file(target) || fs::is_fifo(target)) return;
   OutputFile(option, path);
 }
@@ -81,9 +82,10 @@ void OutputFile::finish() {
   if (std::fclose(file) != 0) fail();
   if (part_ == path_) return;
   std::error_code error;
-  const fs::perms old_permissions = fs::status(path_, error).permissions();
-  if (!error && fs::exists(path_)) fs::permissions(part_, old_permissions, error);
-  fs::rename(part_, path_, error);
+  const fs::path part = path_of(part_), target = path_of(path_);
+  const fs::perms old_permissions = fs::status(target, error).permissions();
+  if (!error && fs::exists(target)) fs::permissions(part, old_permissions, error);
+  fs::rename(part, target, error);
   if (error) fail();
 }
 

@@ -2,6 +2,8 @@
 #include <filesystem>
 #include <string>
 
+#include "run/file_name.hpp"
+
 namespace bounce {
 
 /// A folder that appears under its name only when all of its files are complete: they are written
@@ -16,7 +18,7 @@ class OutputFolder {
   OutputFolder& operator=(const OutputFolder&) = delete;
 
   /// The path of a file in it, to be written before `finish`.
-  std::string file(const std::string& name) const { return (part_ / name).string(); }
+  std::string file(const std::string& name) const { return name_of(part_ / path_of(name)); }
   void finish();  // throws MachineFailure
 
  private:
