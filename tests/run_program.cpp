@@ -23,7 +23,11 @@ static const fs::path& folder() {
 
 std::string work_folder() { return (folder() / "work").string(); }
 
-#ifdef _WIN32  // the words of cmd.exe
+#ifdef _WIN32  // the words of cmd.exe, which knows no other quotes than these
+static std::string in_its_quotes(std::string command) {
+  std::replace(command.begin(), command.end(), '\'', '"');
+  return command;
+}
 std::string quoted(const std::string& word) { return '"' + word + '"'; }
 static const char* const nothing = "NUL";
 static const char* const change_folder = "cd /d ";
@@ -36,6 +40,7 @@ static std::string setting(const std::string& environment) {
   return all;
 }
 #else
+static const std::string& in_its_quotes(const std::string& command) { return command; }
 std::string quoted(const std::string& word) {
   std::string text = "'";
   for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -66,8 +71,8 @@ Outcome run_program_with(const std::string& environment, const std::string& comm
   const std::string out = (here / "out").string(), err = (here / "err").string();
   const std::string shell = change_folder + quoted((here / "work").string()) + " && " +
                             setting(environment) + (emulator ? emulator + std::string(" ") : "") +
-                            quoted(BOUNCE_BIN_DIR) + "/" + command + " > " + quoted(out) + " 2> " +
-                            quoted(err) + " < " + nothing;
+                            quoted(BOUNCE_BIN_DIR) + "/" + in_its_quotes(command) + " > " +
+                            quoted(out) + " 2> " + quoted(err) + " < " + nothing;
   const int code = exit_code(std::system(shell.c_str()));
   return {code, read_file(out), read_file(err)};
 }

@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <pthread.h>
 #include <sys/resource.h>
-#include <sys/stat.h>
 #include <unistd.h>
 #ifdef __linux__
 #include <sys/prctl.h>
@@ -12,11 +11,11 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <iostream>
 
+#include "checks/ended.hpp"
 #include "checks/shared_page.hpp"
 #include "sanitizers.hpp"
 
@@ -63,13 +62,13 @@ void no_fork() {
   _exit(1);
 }
 
-void not_caught() {
-  end_with(
-      "a thread or a noexcept function let an exception out, or a std::thread was neither joined "
-      "nor detached");
-}
+void not_caught() { end_with(ended::not_caught); }
+
+}  // namespace
 
 void prepare_judged_process() {
+  const char here = 0;
+  stack_top = &here;
   setpgid(0, 0);  // with all that it may start, so that nothing outlives it
 #ifdef __linux__
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // nor the judge, when Ctrl-C ends that
@@ -91,29 +90,6 @@ void prepare_judged_process() {
   begin_question();
 }
 
-}  // namespace
-
-void be_judged(const std::function<void()>& work) {
-  const char here = 0;
-  stack_top = &here;
-  prepare_judged_process();
-  work();
-  std::cout.flush();
-  std::fflush(nullptr);
-  _exit(0);
-}
-
-void tell(const Record& record) {
-  std::string text;
-  for (const std::string& word : record) text += word + '\0';
-  text += '\1';
-  for (std::size_t sent = 0; sent < text.size();) {
-    const ssize_t now = write(to_judge, text.data() + sent, text.size() - sent);
-    if (now <= 0) _exit(1);
-    sent += static_cast<std::size_t>(now);
-  }
-}
-
 void begin_question() {
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
@@ -131,26 +107,9 @@ void finish() {
   tell({"all checks ran"});
 }
 
-void enter(const char* function) {
-  if (shared) std::strncpy(shared->function, function, sizeof shared->function - 1);
-}
-
-void end_with(const std::string& words) {
-  tell({"ended", words});
-  _exit(1);
-}
-
 void end_without_memory() {
   limit(RLIMIT_AS, RLIM_INFINITY);  // to speak needs some
-  end_with(
-      "your code asks for more memory than there is: is there a vector that grows without end?");
-}
-
-bool has_printed() {
-  std::cout.flush();
-  std::fflush(nullptr);
-  struct stat file {};
-  return fstat(STDOUT_FILENO, &file) == 0 && file.st_size > 0;
+  end_with(ended::no_memory);
 }
 
 }  // namespace bounce::check

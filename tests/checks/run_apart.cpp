@@ -3,7 +3,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cctype>
 #include <chrono>
 #include <csignal>
 #include <cstring>
@@ -11,15 +10,13 @@
 #include <new>
 #include <stdexcept>
 
-#include "checks/judged_process.hpp"
+#include "checks/ended.hpp"
+#include "checks/listener.hpp"
 #include "checks/shared_page.hpp"
 
 namespace bounce::check {
 
 namespace {
-
-constexpr double patience = 5;                      // s without an answer and without work
-constexpr std::size_t lines_kept = 4, width = 160;  // of what the code prints
 
 double processor_seconds(pid_t process) {
   clockid_t clock{};
@@ -27,41 +24,6 @@ double processor_seconds(pid_t process) {
   if (clock_getcpuclockid(process, &clock) != 0 || clock_gettime(clock, &time) != 0) return 0;
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
-
-/// Cuts what came over the pipe into records, and hands them on.
-class Listener {
- public:
-  explicit Listener(const std::function<void(const Record&)>& heard) : heard_(heard) {}
-  std::string ended_with;
-  bool all_ran = false;
-
-  void take(const char* bytes, std::size_t count) {
-    for (const char c : std::string(bytes, count)) {
-      if (c == '\0') {
-        record_.push_back(word_), word_.clear();
-      } else if (c == '\1') {
-        finish(record_);
-        record_.clear();
-      } else {
-        word_ += c;
-      }
-    }
-  }
-
- private:
-  void finish(const Record& record) {
-    if (record.size() == 2 && record[0] == "ended") {
-      ended_with = record[1];
-    } else if (record.size() == 1 && record[0] == "all checks ran") {
-      all_ran = true;
-    } else {
-      heard_(record);
-    }
-  }
-  const std::function<void(const Record&)>& heard_;
-  Record record_;
-  std::string word_;
-};
 
 /// Listens until the process has ended. True: it had to be ended because it waits.
 bool listen(pid_t process, int from, Listener& listener, int& status) {
@@ -90,49 +52,22 @@ bool listen(pid_t process, int from, Listener& listener, int& status) {
 }
 
 std::string words_for(int status, bool waits) {
-  if (waits) {
-    return "your code waits for something that does not come: an input, a sleep, or a lock. "
-           "Nobody types here";
-  }
-  if (shared->forked) return "your code calls fork(): it must start no other process";
-  if (WIFEXITED(status)) {
-    return "your code ended the whole program, with exit(" + std::to_string(WEXITSTATUS(status)) +
-           ") or the like. A function ends with return";
-  }
+  if (waits) return ended::waits;
+  if (shared->forked) return ended::forks;
+  if (WIFEXITED(status)) return ended::exits(WEXITSTATUS(status));
   switch (WTERMSIG(status)) {
     case SIGXCPU:
-      return "your code does not come back: is there a loop that never ends?";
+      return ended::loops;
     case SIGFPE:
     case SIGILL:
-      return "your code divided a whole number by 0";
+      return ended::divides_by_0;
     case SIGABRT:
-      return "your code stopped itself: an assert that is not true, an index outside of a vector, "
-             "or abort()";
+      return ended::aborts;
     case SIGSEGV:
     case SIGBUS:
-      return shared->stack_overflow
-                 ? "a function calls itself again and again, without end, until the memory for "
-                   "calls is full"
-                 : "your code uses memory that is not its own: an index outside of an array, or a "
-                   "pointer to nothing";
+      return shared->stack_overflow ? ended::calls_itself : ended::bad_address;
     default:
-      return std::string("your code was ended from outside (") + strsignal(WTERMSIG(status)) + ")";
-  }
-}
-
-void read_output(Ending& ending) {
-  std::rewind(output);
-  std::string line;
-  for (int c = std::fgetc(output); c != EOF || !line.empty(); c = std::fgetc(output)) {
-    if (c != '\n' && c != EOF) {
-      if (line.size() < 2 * width) line += std::iscntrl(c) ? '?' : static_cast<char>(c);
-      continue;
-    }
-    const std::size_t mine = line.find("mine.hpp:");  // an assert says where it stands
-    if (mine != std::string::npos) line.erase(0, mine);
-    if (ending.printed.size() < lines_kept) ending.printed.push_back(line.substr(0, width));
-    line.clear();
-    ++ending.lines;
+      return ended::from_outside(strsignal(WTERMSIG(status)));
   }
 }
 
@@ -164,15 +99,7 @@ Ending run_apart(const std::function<void()>& work,
   const bool waits = listen(process, ends[0], listener, status);
   kill(-process, SIGKILL);  // whatever else it started
   close(ends[0]);
-  Ending ending;
-  if (!listener.all_ran) {
-    ending.words = listener.ended_with.empty() ? words_for(status, waits) : listener.ended_with;
-  }
-  ending.where = shared->function;
-  ending.read_input = shared->read_input;
-  read_output(ending);
-  std::fclose(output);
-  return ending;
+  return ending_of(listener, words_for(status, waits));
 }
 
 }  // namespace bounce::check

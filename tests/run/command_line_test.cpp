@@ -240,3 +240,14 @@ TEST_CASE("a run whose exact solution has a billion events ends without the comp
   CHECK(run.code == 0);
   CHECK(!contains(run.err, "position_error"));
 }
+
+TEST_CASE("a file's name may have blanks and letters of any language, and the file is replaced") {
+  const std::string name = std::filesystem::temp_directory_path().string() + "/Bälle, die 弾む";
+  for (const std::string time : {"0.5", "1"}) {
+    const Outcome run =
+        run_program("03_damping --headless --at " + time + " --csv " + test::quoted(name + ".csv"));
+    INFO(run.err);
+    CHECK(run.code == 0);
+    CHECK(contains(test::read_file(name + ".csv"), "\n" + time + ","));
+  }
+}
