@@ -4,6 +4,13 @@
 
 namespace bounce::test {
 
+/// There is no /dev/full there, no signal and no limit, which some tests need.
+#ifdef _WIN32
+inline constexpr bool on_windows = true;
+#else
+inline constexpr bool on_windows = false;
+#endif
+
 /// What a program printed and how it ended.
 struct Outcome {
   int code;

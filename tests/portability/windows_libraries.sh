@@ -26,10 +26,10 @@ archive() { # archive NAME COMPILER FILE...: lib/libNAME.a of these
 }
 cp "$sources"/zlib/{zlib,zconf}.h "$prefix/include"
 archive z gcc "$sources"/zlib/*.c
-png=("$sources"/libpng1.6/png*.c)
+rm "$sources/libpng1.6/pngtest.c"
 cp "$sources/libpng1.6/scripts/pnglibconf.h.prebuilt" "$sources/libpng1.6/pnglibconf.h"
 cp "$sources"/libpng1.6/{png,pngconf,pnglibconf}.h "$prefix/include"
-archive png gcc $(printf '%s\n' "${png[@]}" | grep -v pngtest)
+archive png gcc "$sources"/libpng1.6/png*.c
 cp "$sources"/imgui/*.h "$prefix/include/imgui"
 archive imgui g++ "$sources"/imgui/*.cpp
 build windows_sdl install -S "$sources/libsdl2" -DCMAKE_TOOLCHAIN_FILE="$PWD/tests/portability/windows.cmake" \

@@ -194,7 +194,8 @@ TEST_CASE("a step that is too long for the contact is named before the run") {
         std::string::npos);
 }
 
-TEST_CASE("an interrupted run keeps what was computed, and ends with exit code 130") {
+TEST_CASE("an interrupted run keeps what was computed, and ends with exit code 130" *
+          doctest::skip(test::on_windows)) {
   // 1e11 steps would take minutes; Ctrl-C comes after half a second.
   const Outcome run = test::run_program_with(
       "timeout --preserve-status -s INT 0.5",

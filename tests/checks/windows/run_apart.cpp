@@ -2,8 +2,9 @@
 // run_apart finds what it inherits in its environment, and does the work.
 #include <fcntl.h>
 #include <io.h>
-#include <psapi.h>
 #include <windows.h>
+
+#include <psapi.h>  // after that
 
 #include <algorithm>
 #include <chrono>
