@@ -14,7 +14,7 @@ for one in $programs; do x86_64-w64-mingw32-strip -o "$folder/$one.exe" "build/w
 cp -r build/site "$folder/lessons"
 cp LICENSE "$folder/licences/bounce.txt"
 for one in libsdl2 imgui libpng1.6 zlib; do cp "build/windows_sources/$one/debian/copyright" "$folder/licences/$one.txt"; done
-for one in libeigen3-dev libcli11-dev; do cp "/usr/share/doc/$one/copyright" "$folder/licences/$one.txt"; done
+for one in libeigen3-dev libcli11-dev mingw-w64-x86-64-dev; do cp "/usr/share/doc/$one/copyright" "$folder/licences/$one.txt"; done
 cat >"$folder/README.txt" <<'TEXT'
 The stages are the programs 01_free_fall.exe to 08_racket_game.exe: a double click opens one, F1 shows its keys.
 The lessons are in lessons\index.html. Their figures move only where a web server shows them.
