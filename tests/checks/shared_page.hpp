@@ -8,6 +8,7 @@ namespace bounce::check {
 struct SharedPage {
   char function[64];  // of the learner's, that was called last
   bool stack_overflow, read_input, forked, aborted;
+  volatile double worked;  // s of processor time, on Windows
 };
 inline SharedPage* shared = nullptr;
 inline FILE* output = nullptr;  // what the code prints

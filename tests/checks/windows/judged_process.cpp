@@ -1,6 +1,6 @@
 // The judged process on Windows. Its limits on time, memory and output are kept by the judge
-// (run_apart.cpp, here). What Linux tells as well, and this does not: that a thread is still
-// running, or that another process was started.
+// (run_apart.cpp, here). Elsewhere more is told: that a thread is still running, that
+// another process was started, and that an exception was not caught (which is an abort() here).
 #include "checks/judged_process.hpp"
 
 #include <windows.h>
@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <thread>
 
 #include "checks/ended.hpp"
 #include "checks/shared_page.hpp"
@@ -17,11 +18,28 @@ namespace bounce::check {
 
 namespace {
 
+/// To be read by the judge: wine tells how long a process worked to that process alone.
+void note_work() {
+  const auto seconds = [](const FILETIME& time) {
+    return 1e-7 * (4294967296.0 * time.dwHighDateTime + time.dwLowDateTime);
+  };
+  for (FILETIME start, end, kernel, user;; Sleep(20)) {
+    GetProcessTimes(GetCurrentProcess(), &start, &end, &kernel, &user);
+    shared->worked = seconds(kernel) + seconds(user);
+  }
+}
+
 /// Ends at once, and with the reason as exit code: without a box that waits for a click, or a
 /// debugger.
 LONG WINAPI end_at_once(EXCEPTION_POINTERS* why) {
   TerminateProcess(GetCurrentProcess(), why->ExceptionRecord->ExceptionCode);
   return EXCEPTION_EXECUTE_HANDLER;
+}
+
+/// First of all: a full stack has no room for what comes before the last handler.
+LONG WINAPI end_on_a_full_stack(EXCEPTION_POINTERS* why) {
+  const bool full = why->ExceptionRecord->ExceptionCode == EXCEPTION_STACK_OVERFLOW;
+  return full ? end_at_once(why) : EXCEPTION_CONTINUE_SEARCH;
 }
 
 void aborted(int) { shared->aborted = true; }
@@ -33,6 +51,8 @@ void not_caught() { end_with(ended::not_caught); }
 void prepare_judged_process() {
   SetErrorMode(SEM_FAILCRITICALERRORS | SEM_NOGPFAULTERRORBOX);
   SetUnhandledExceptionFilter(end_at_once);
+  AddVectoredExceptionHandler(1, end_on_a_full_stack);
+  std::thread(note_work).detach();
   std::signal(SIGABRT, aborted);
   std::set_terminate(not_caught);
   std::setvbuf(stdout, nullptr, _IONBF, 0);  // no line is lost in a crash

@@ -27,15 +27,6 @@ constexpr std::size_t most_memory = std::size_t{1} << 30;  // bytes
 constexpr long long most_output = 16 << 20;                // bytes
 constexpr const char* inherited = "BOUNCE_JUDGED";
 
-double processor_seconds(HANDLE process) {
-  FILETIME start, end, kernel, user;
-  if (!GetProcessTimes(process, &start, &end, &kernel, &user)) return 0;
-  const auto seconds = [](const FILETIME& time) {
-    return 1e-7 * (4294967296.0 * time.dwHighDateTime + time.dwLowDateTime);
-  };
-  return seconds(kernel) + seconds(user);
-}
-
 std::size_t memory(HANDLE process) {
   PROCESS_MEMORY_COUNTERS used{};
   GetProcessMemoryInfo(process, &used, sizeof used);
@@ -55,10 +46,10 @@ std::string listen(HANDLE process, HANDLE from, HANDLE printed, Listener& listen
            ReadFile(from, bytes, std::min<DWORD>(waiting, sizeof bytes), &count, nullptr)) {
       listener.take(bytes, count);
       last = Clock::now();
-      worked = processor_seconds(process);
+      worked = shared->worked;
     }
     if (over) return "";
-    const double work = processor_seconds(process) - worked;
+    const double work = shared->worked - worked;
     const double silent = std::chrono::duration<double>(Clock::now() - last).count();
     if (silent > patience && work < patience / 8) return ended::waits;
     LARGE_INTEGER size{};
