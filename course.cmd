@@ -5,59 +5,43 @@ cd /d "%~dp0"
 if exist C:\msys64\mingw64\bin\g++.exe set "PATH=C:\msys64\mingw64\bin;%PATH%"
 if not defined BOUNCE_PRESET set BOUNCE_PRESET=release
 set build=build\%BOUNCE_PRESET%
-set missing=
-set rest=
+for %%w in (missing page rest) do set %%w=
 rem (Not by shift and %%1, for which = and , part words.)
 for /f "tokens=2*" %%a in ("%*") do set rest=%%b
 for %%w in (play check reset test plain list) do if "%~1"=="%%w" goto %%w
-echo usage: course play [N] [OPTIONS]    the demo of stage N (default: the last stage), in a window
+echo usage: course play [N] [OPTIONS]    the demo of stage N, or the last one: course play 3 --set stiffness=2000
 echo        course check [N]             check your own work: stage N, or the first one not yet done; or: check loop
 echo        course reset N               a fresh mine.hpp; the old one is kept beside it
 echo        course test                  build and run the tests
 echo        course plain N [WORDS]       stage N on one page, plain.cpp: its rows as CSV
 echo        course list                  the stages
-echo OPTIONS go to the stage's program, for example:  course play 3 --set stiffness=2000
 echo In the window MINGW64 of MSYS2 there is ./course, too, which can do more: its --help says what.
 if "%~1"=="" exit /b 0
 exit /b 2
 
+:plain
+set page=_plain
 :play
 call :stage_named %2
-if errorlevel 1 exit /b 2
-call :make %stage%
-if errorlevel 1 exit /b 1
-%build%\bin\%stage%.exe %rest%
+if not errorlevel 1 call :make %stage%%page%
+if not errorlevel 1 %build%\bin\%stage%%page%.exe %rest%
 exit /b %errorlevel%
-
-:plain
-call :stage_named %2
-if errorlevel 1 exit /b 2
-call :make %stage%_plain
-if errorlevel 1 exit /b 1
-%build%\bin\%stage%_plain.exe %rest%
-exit /b %errorlevel%
-
 :test
 call :make all
-if errorlevel 1 exit /b 1
-ctest --test-dir %build% -LE long -j 2 --output-on-failure
+if not errorlevel 1 ctest --test-dir %build% -LE long -j 2 --output-on-failure
 exit /b %errorlevel%
-
 :list
 for /d %%d in (stages\??_*) do for /f "tokens=2 delims={}" %%a in ('find "demo.stage =" ^< %%d\main.cpp') do echo %%a
 exit /b %errorlevel%
-
 :check
 if "%~2"=="" call :next
 if not "%~2"=="" call :exercise_named %2
-if errorlevel 1 exit /b 2
-if "%stage%"=="" echo All stages are done.
-if "%stage%"=="" exit /b 0
-call :need g++.exe cmake.exe ninja.exe
-if errorlevel 1 exit /b 1
+if not errorlevel 1 call :need g++.exe cmake.exe ninja.exe
+if errorlevel 1 exit /b %errorlevel%
+if "%stage%"=="" echo All stages are done.& exit /b 0
 if not exist %mine% call :begin
 echo %stage%: %mine%
-echo.
+if not exist build mkdir build
 call :make stage_checks %course% %stage%_judged >build\check.log 2>&1
 if errorlevel 1 goto not_compiled
 if defined course set course=--course %build%\checks\%course%.dll
@@ -74,19 +58,14 @@ find "error: " <build\check.log
 if exist %mine%.passed del %mine%.passed
 echo   Stuck? Hints, one after the other: %hints%
 exit /b 1
-
 :reset
-if "%~2"=="" echo course: reset takes one stage: course reset N>&2
-if "%~2"=="" exit /b 2
+if "%~2"=="" echo course: reset takes one stage: course reset N>&2& exit /b 2
 call :exercise_named %2
 if errorlevel 1 exit /b 2
 if not exist %mine% goto begin
 set n=1
 :taken
-if not exist %mine%.%n% goto free
-set /a n+=1
-goto taken
-:free
+if exist %mine%.%n% set /a n+=1& goto taken
 move %mine% %mine%.%n% >nul
 if exist %mine%.passed del %mine%.passed
 echo Your old file is kept: %mine%.%n%
@@ -99,10 +78,8 @@ if not "%stage%"=="loop" for /f "tokens=3" %%h in ('find "define BOUNCE_STAGE_HE
 if not "%stage%"=="loop" set gaps=%stage%/gaps.hpp
 cmake -DBASE=stages/%header% -DPIECES=stages/%gaps% -DOUT=%mine:\=/% -P tests/checks/splice.cmake
 if errorlevel 1 exit /b 1
-echo Your turn. Edit this file:  %mine%
-echo Fill its gaps (marked YOUR TURN), then  course check  again.
+echo Your turn. Edit this file:  %mine%  (its gaps are marked YOUR TURN). Then  course check  again.
 exit /b %errorlevel%
-
 :stage_named
 set stage=
 for /d %%d in (stages\0%~1_* stages\%~1_* stages\??_%~1) do set stage=%%~nxd
@@ -111,7 +88,6 @@ if "%stage%"=="" if exist "stages\%~1\main.cpp" set stage=%~1
 if not "%stage%"=="" if exist stages\%stage%\main.cpp exit /b 0
 echo course: there is no stage '%~1' in this copy; see  course list>&2
 exit /b 2
-
 :exercise_named
 set stage=loop
 set mine=stages\02_spring_floor\mine_method.hpp
@@ -125,19 +101,16 @@ set mine=stages\%stage%\mine.hpp
 set hints=stages\%stage%\hints.txt
 set course=%stage%_course
 exit /b 0
-
 :next
 set stage=
 for /d %%d in (stages\??_*) do if not defined stage if not exist %%d\mine.hpp.passed set stage=%%~nxd
 goto stage
-
 :make
 call :need g++.exe cmake.exe ninja.exe
 if errorlevel 1 exit /b 1
 if not exist %build%\build.ninja cmake --preset %BOUNCE_PRESET%
 cmake --build --preset %BOUNCE_PRESET% --target %*
 exit /b %errorlevel%
-
 :need
 for %%p in (%*) do if "%%~$PATH:p"=="" set missing=%%p
 if not defined missing exit /b 0
