@@ -1,11 +1,19 @@
 #!/usr/bin/env bash
-# windows.sh: the eight programs with their windows, bits and tests for Windows, by mingw-w64, under wine.
+# windows.sh [--quick]: the eight programs, bits and tests for Windows, by mingw-w64, under wine. Quick, as in .ci/run:
+# no windows, and of the tests the bits and the checks of the course's own stages.
 cd "$(dirname "${BASH_SOURCE[0]}")/../.." || exit 1
 source tests/portability/prepare.sh
-tests/portability/windows_libraries.sh
 headers
 need g++-mingw-w64-x86-64-posix wine64 wine
 export WINEDEBUG=-all WINEPREFIX=$PWD/build/wine SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=dummy
 wineboot >/dev/null 2>&1 || true # makes that folder, once
+if [ "${1:-}" = --quick ]; then
+  stages=$(cd stages && printf '%s ' [0-9][0-9]_*)
+  build windows_quick "$stages ${stages// /_course } state_hashes stage_checks" --preset windows -DBOUNCE_APP=OFF
+  ctest --test-dir build/windows_quick -R 'same bits|checks of [0-9]' -j 2 --output-on-failure
+  exit
+fi
+tests/portability/windows_libraries.sh
 build windows all --preset windows
 ctest --test-dir build/windows -LE long -j 2 --output-on-failure
+tests/portability/course_cmd.sh

@@ -51,7 +51,7 @@ std::string listen(HANDLE process, HANDLE from, HANDLE printed, Listener& listen
     if (over) return "";
     const double work = shared->worked - worked;
     const double silent = std::chrono::duration<double>(Clock::now() - last).count();
-    if (silent > patience && work < patience / 8) return ended::waits;
+    if (silent > patience && work < patience / 40) return ended::waits;
     LARGE_INTEGER size{};
     GetFileSizeEx(printed, &size);
     if (work > seconds_a_check || size.QuadPart > most_output) return ended::loops;
