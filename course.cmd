@@ -15,7 +15,7 @@ echo        course reset N               a fresh mine.hpp; the old one is kept b
 echo        course test                  build and run the tests
 echo        course plain N [WORDS]       stage N on one page, plain.cpp: its rows as CSV
 echo        course list                  the stages
-echo In the window MINGW64 of MSYS2 there is ./course, too, which can do more: its --help says what.
+echo In the window MINGW64 of MSYS2 there is ./course, too. It can do more, but check only here.
 if "%~1"=="" exit /b 0
 exit /b 2
 
