@@ -16,7 +16,9 @@ struct Trace {
 
 inline Trace trace_of(const std::string& command) {
   Trace trace;
-  std::istringstream lines(run_program(command).out);
+  std::string text = run_program(command).out;
+  std::erase(text, '\r');  // a plain program knows nothing of how Windows ends a line
+  std::istringstream lines(text);
   std::getline(lines, trace.header);
   for (std::string line; std::getline(lines, line);) {
     std::vector<double>& row = trace.rows.emplace_back();
