@@ -63,7 +63,8 @@ BallsRun heap(double aside, bool damped) {
 /// How two heaps part that differ by a hair: when the ball that is furthest off is so far away.
 void growth() {
   BallsRun all[] = {heap(0, false), heap(1e-12, false), heap(0, true), heap(1e-12, true)};
-  std::printf("| after [s] | without dampers [m] | as it comes, with dampers [m] |\n|---|---|---|\n");
+  std::printf(
+      "| after [s] | without dampers [m] | as it comes, with dampers [m] |\n|---|---|---|\n");
   for (const double t : {0.5, 1.0, 1.5, 2.0, 2.5, 3.0}) {
     for (BallsRun& run : all) run.advance_to(t);
     const auto apart = [&](int i) {

@@ -22,8 +22,7 @@ struct ReferenceMethod : EventMethod<Reference<Contacts, Vector>> {
 
   template <class World>
   ReferenceMethod(const World& world, double t, const State<Vector>& state, double tolerance)
-      : EventMethod<Reference<Contacts, Vector>>{
-            {world.contacts(t, state), t, state, tolerance}} {}
+      : EventMethod<Reference<Contacts, Vector>>{{world.contacts(t, state), t, state, tolerance}} {}
 
   long long counted_evaluations() const { return this->walk.force_evaluations(); }
 };

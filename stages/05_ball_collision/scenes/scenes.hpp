@@ -18,8 +18,7 @@ struct Arrangement {
   State<Eigen::Matrix3Xd> balls{};  // m, m/s
 
   explicit Arrangement(Eigen::Index count, double ball_radius = 0.1)
-      : mass(Eigen::VectorXd::Ones(count)),
-        radius(Eigen::VectorXd::Constant(count, ball_radius)) {
+      : mass(Eigen::VectorXd::Ones(count)), radius(Eigen::VectorXd::Constant(count, ball_radius)) {
     balls.position.setZero(3, count);
     balls.velocity.setZero(3, count);
   }
