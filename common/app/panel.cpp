@@ -56,7 +56,8 @@ void Panel::draw(Playback& playback, View& view) {
   heading("see");
   ImGui::Checkbox("arrows", &view.forces);
   ImGui::SameLine();
-  ImGui::Checkbox("exact", &view.ghost);
+  const std::string_view truth = playback.simulation().traits().truth;
+  ImGui::Checkbox(std::string(truth.substr(0, truth.find(','))).c_str(), &view.ghost);
   ImGui::SameLine();
   ImGui::Checkbox("trail", &view.trail);
   ImGui::SameLine();

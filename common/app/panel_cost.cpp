@@ -55,6 +55,8 @@ void Panel::draw_cost_and_error(Playback& playback) {
   }
   if (const std::optional<StateError> error = simulation.error()) {
     ImGui::Text("position off by %s", with_unit(error->position, "m").c_str());
+    const std::string truth(simulation.traits().truth);
+    if (truth != "exact") ImGui::Text("(compared with %s)", truth.c_str());
   }
   const std::string warning =
       playback.trouble().empty() ? step_warning(simulation) : playback.trouble();

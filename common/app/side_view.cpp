@@ -134,7 +134,8 @@ void draw_side_view(Canvas& canvas, const Playback& playback, const View& view,
     draw_dashed_circle(canvas, ghost, radius, palette::exact, 1.5f);
     if (ball.strobe) {
       canvas.text({x, area.y + 12}, "method", palette::ink, Align::centre, TextSize::normal);
-      canvas.text({ghost.x, area.y + 12}, "exact", palette::exact, Align::centre, TextSize::normal);
+      canvas.text({ghost.x, area.y + 12}, std::string(playback.simulation().traits().truth),
+                  palette::exact, Align::centre, TextSize::normal);
       draw_gap(canvas, centre, ghost, std::abs(y - height_of(exact)));
     }
   }

@@ -126,6 +126,8 @@ std::string summary(const StageName& stage, Simulation& simulation, double start
   if (const std::optional<StateError> error = simulation.error()) {
     say("position_error_m", error->position);
     say("velocity_error_m_per_s", error->velocity);
+    const std::string truth(simulation.traits().truth);
+    if (truth != "exact") line += " compared_with=\"" + truth + "\"";
   }
   const std::string more = simulation.traits().summary;
   if (!more.empty()) line += " " + more;

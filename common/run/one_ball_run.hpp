@@ -28,8 +28,8 @@ struct PartsOfOneBall<Scene, Phases, Vector, false> {
   using TruthWalk = EventDriven<Phases, Vector>;
   using Methods = decltype(SteppingMethods<Vector>{} + MethodList<ExactMethod<Phases, Vector>>{});
 };
-/// Without a formula: those that step, and a method with its error under control, which is the
-/// truth, too.
+/// Without a formula: those that step, and a method with its error under control. A tighter one of
+/// its kind is the truth.
 template <class Scene, class Vector>
 struct PartsOfOneBall<Scene, NoPhases, Vector, false> {
   using Contacts = WholeLaw<Scene, Vector>;
@@ -73,7 +73,7 @@ struct OneBallWorld {
     if constexpr (has_phases) {
       return {TruthWalk(phases(), t, ball), 10000000};
     } else {
-      return {TruthWalk(contacts(t, ball), t, ball, 1e-12), 1000000};
+      return {TruthWalk(contacts(t, ball), t, ball, 1e-14), 1000000};
     }
   }
 
@@ -81,6 +81,7 @@ struct OneBallWorld {
   Traits traits(const Simulation&) const {
     constexpr bool on_a_line = std::is_same_v<Vector, double>;
     Traits all{floor_moves ? "floor,y,v" : on_a_line ? "y,v" : "x,y,z,vx,vy,vz", contact_numbers()};
+    if constexpr (!has_phases) all.truth = "reference, 1e-14";
     if constexpr (floor_moves) {
       if (scene.amplitude > 0) all.swing_rate = scene.angular_frequency;
     }

@@ -59,9 +59,10 @@ struct Traits {
   double swing_rate = 0;       // rad/s, of something that swings by itself, such as a floor
   bool cuts_steps = false;     // at contacts that they are too long for: then none is too long
   double pieces_per_step = 1;  // into how many a step may then be cut: what it can cost, in steps
-  std::string refusal = {};    // why the chosen method cannot serve this scene; empty: it can
-  std::string summary = {};    // more words for the summary line, "name=value"
-  std::string command = {};    // words, besides parameters, of the command that makes such a run
+  std::string_view truth = "exact";  // what it is compared with, where there is anything
+  std::string refusal = {};          // why the chosen method cannot serve this scene; empty: it can
+  std::string summary = {};          // more words for the summary line, "name=value"
+  std::string command = {};  // words, besides parameters, of the command that makes such a run
   std::vector<std::pair<std::string, std::string>> saved_options = {};  // StageOption::is_saved
 };
 

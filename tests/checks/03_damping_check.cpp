@@ -76,19 +76,22 @@ Question<Moment> force_question(const std::string& tested) {
          return up(-m.weight() + (m.overlaps() ? clamped(m, -spring(m) + damper(m)) : 0));
        }},
       {"push_only forgotten",
-       "with contact push_only your floor still pulls. There the push is max(0, spring + damper); "
+       "with contact push_only your floor still pulls. There the push is std::max(0.0, spring + "
+       "damper); "
        "docs/deeper/03_damping.md says why, in \"The damper can pull\".",
        [](const Moment& m) {
          return up(-m.weight() + (m.overlaps() ? spring(m) + damper(m) : 0));
        }},
       {"push_only limits the weight, too",
-       "the limit is for the push of spring and damper only; gravity stays: take max(0, push) "
+       "the limit is for the push of spring and damper only; gravity stays: take std::max(0.0, "
+       "push) "
        "before you add it to the force.",
        [](const Moment& m) {
          return up(m.overlaps() ? clamped(m, -m.weight() + spring(m) + damper(m)) : -m.weight());
        }},
       {"push_only limits the weight, too",
-       "the limit is for the push of spring and damper only; gravity stays: take max(0, push) "
+       "the limit is for the push of spring and damper only; gravity stays: take std::max(0.0, "
+       "push) "
        "before you add it to the force.",
        [](const Moment& m) {
          return up(clamped(m, -m.weight() + (m.overlaps() ? spring(m) + damper(m) : 0)));
@@ -115,7 +118,7 @@ Question<Moment> force_question(const std::string& tested) {
          return up(-m.weight() + (!m.overlaps() ? 0 : m.setting.push_only ? std::min(0.0, p) : p));
        }},
       {"push_only turns the pull around",
-       "where spring and damper would pull, the push is 0: max(0, push), not its size.",
+       "where spring and damper would pull, the push is 0: std::max(0.0, push), not its size.",
        [](const Moment& m) {
          const double p = spring(m) + damper(m);
          return up(-m.weight() + (!m.overlaps() ? 0 : m.setting.push_only ? std::abs(p) : p));

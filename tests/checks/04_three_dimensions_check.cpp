@@ -86,7 +86,7 @@ Question<Moment> force_question(const std::string& tested) {
        [](const Moment& m) {
          return plus(weight(m), up(touches(m) ? push(m.setting, overlap(m), -m.v()) : 0));
        }},
-      {"push_only forgotten", "with contact push_only the push is max(0, spring + damper).",
+      {"push_only forgotten", "with contact push_only the push is std::max(0.0, spring + damper).",
        [](const Moment& m) {
          Setting s = m.setting;
          s.push_only = false;

@@ -140,7 +140,7 @@ inline Question<Moment> force_question(const std::string& tested) {
          other.setting.damping = -m.setting.damping;
          return right(other);
        }},
-      {"push_only forgotten", "with contact push_only the push is max(0, spring + damper).",
+      {"push_only forgotten", "with contact push_only the push is std::max(0.0, spring + damper).",
        [](const Moment& m) {
          Moment other = m;
          other.setting.push_only = false;

@@ -125,7 +125,7 @@ inline Question<Moment> force_question(const std::string& tested) {
          return force_on(m, plane.distance(m.motion.position), dot(plane.n, m.motion.velocity),
                          times(-1, plane.n));
        }},
-      {"push_only forgotten", "with contact push_only the push is max(0, spring + damper).",
+      {"push_only forgotten", "with contact push_only the push is std::max(0.0, spring + damper).",
        [](const Moment& m) {
          Moment other = m;
          other.setting.push_only = false;

@@ -173,7 +173,7 @@ inline Question<Moment> force_question(const std::string& tested) {
        with({.moves = false})},
       {"the damper has the wrong sign", "a brake points against the velocity.",
        with({.damper = -1})},
-      {"push_only forgotten", "with contact push_only the push is max(0, spring + damper).",
+      {"push_only forgotten", "with contact push_only the push is std::max(0.0, spring + damper).",
        with({.push_only_obeyed = false})},
       {"infinite racket", "the racket ends at its rim.", with({.shape = Shape::infinite})},
       {"rim ignored", "the rim pushes, too.", with({.shape = Shape::no_rim})},

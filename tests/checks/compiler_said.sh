@@ -8,7 +8,7 @@ what=$1 log=$2 file=$3 shown=$4
 text=$(cat "$log")
 text=${text//"$file"/"$shown"}
 first() { grep -a -m1 "$@" <<<"$text"; }
-show() { sed -e 's/ \[-W[^]]*\]//' -e 's/^/    /'; }
+show() { sed -e '/^compilation terminated/d' -e 's/ \[-W[^]]*\]//' -e 's/^/    /'; }
 here() { grep -a -F -- "$shown:"; } # lines about the learner's file
 
 if [ "$what" = warnings ]; then

@@ -36,6 +36,12 @@ differ() { # differ STAGE [WORDS...]
   [ "$(wc -l <<<"$rows")" -gt 10 ] || { fails "$*: it does not run"; tail -n 5 "$folder/said"; }
   ! cmp -s <(printf '%s\n' "$rows") <(own "$@") || fails "$*: the planted difference does not show"
 }
+more() { grep -q 'you changed more than the gaps' "$folder/said"; }
+filled() { ! more || fails "$*: gaps were filled, and all is compiled"; }
+differ_by_more() { # differ_by_more STAGE SED: a change that is not in what a gap's function does shows, too
+  write "$1" "$2"; differ "$1"
+  more || fails "$1, $2: it passes for a gap that was filled"
+}
 says() { grep -qF -- "$1" "$folder/said" || { fails "it does not say '$1'"; tail -n 3 "$folder/said"; }; }
 
 half='s/-mass \* gravity/-mass * gravity \/ 2/'
@@ -46,14 +52,20 @@ s/^  state.position += state.velocity \* dt;  *\/\/.*/  state.velocity += accele
 write 02_spring_floor
 equal 02_spring_floor
 says "your force, the course's loop"
-write 02_spring_floor "$half"; differ 02_spring_floor
+write 02_spring_floor "$half"; differ 02_spring_floor; filled half of the weight
+for change in 's/mass = 1.0/mass = 2.0/' 's/double force(/float force(/' \
+  's/^  double force(/  double less = 5;\n&/;s/-mass \* gravity/&+ less/' \
+  's/^  double force(/  SpringFloor() { gravity = 5; }\n&/' \
+  's/^  double force(/  double half(double x) const { return x \/ 2; }\n&/;s/-mass \* gravity/half(&)/'; do
+  differ_by_more 02_spring_floor "$change"
+done
 
 write 01_free_fall; equal 01_free_fall
 says "your force, your loop"
 says "method=mine"
 write 01_free_fall "$half"; differ 01_free_fall
 write 01_free_fall "$first"; differ 01_free_fall # and this loop moves the stages that follow:
-for stage in 03_damping 04_three_dimensions; do write $stage; differ $stage; done
+for stage in 03_damping 04_three_dimensions; do write $stage; differ $stage; filled $stage; done
 write 01_free_fall
 equal 03_damping
 
@@ -65,6 +77,7 @@ verlet() { own 02_spring_floor --method velocity-verlet; }
 write 02_spring_floor "$half"
 ! cmp -s <(mine 02_spring_floor) <(verlet) || fails "with your method your force does not act"
 says "your force, your method"
+filled your method
 says "method=mine"
 rm "$BOUNCE_MINE/02_spring_floor/mine.hpp"
 cmp -s <(mine 02_spring_floor) <(verlet) || fails "your velocity Verlet is another one"
@@ -78,9 +91,10 @@ equal 05_ball_collision --set scene=drop --set count=300
 write 05_ball_collision 's/return contact.force(meeting.overlap/return 0 * contact.force(meeting.overlap/'
 differ 05_ball_collision
 differ 05_ball_collision --set scene=drop --set count=300
+filled 05_ball_collision
 
-write 06_oscillating_floor 's/return v - floor_speed(t);/return v;/'; differ 06_oscillating_floor
-write 07_tilted_plane 's/force += push \* n;/force -= push * n;/'; differ 07_tilted_plane
+write 06_oscillating_floor 's/return v - floor_speed(t);/return v;/'; differ 06_oscillating_floor; filled 06_oscillating_floor
+write 07_tilted_plane 's/force += push \* n;/force -= push * n;/'; differ 07_tilted_plane; filled 07_tilted_plane
 
 # Stage 8 flies by formula and sees the racket at rest; on a learner's lines it does neither, so that these
 # are compared with the right lines there.
@@ -100,6 +114,7 @@ wrong_eight 's/const Disc racket = disc_at(t);/const Disc racket = disc;/'
 wrong_eight 's/state.velocity - racket.velocity_of(point)/state.velocity/'
 wrong_eight 's/(0, -mass \* gravity, 0)/(0, -mass * gravity * 0.1, 0)/'
 [ "$(mine 08_racket_game "${game[@]}")" != "$right_game" ] || fails "stage 8: gravity changes nothing in the game"
+filled 08_racket_game
 
 [ "$failures" -eq 0 ] && echo "your lines, and nothing else"
 exit "$((failures > 0))"

@@ -73,6 +73,7 @@ done
 [ -n "$edited" ] || fails "the example of docs/contributing.md changes nothing"
 
 # What has come of it.
+shows 'compared_with="reference, 1e-14"'
 shows "position_error_m=" # of the page's last command: with air there is no formula, and yet an error
 out=$(build/release/bin/09_drag_tests -ltc); shows "terminal speed"
 out=$(build/release/bin/09_drag --list); shows "force of the air per speed squared"

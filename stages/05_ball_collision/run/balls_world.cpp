@@ -14,6 +14,7 @@ many::Laws BallsWorld::laws() const {
 
 Traits BallsWorld::traits(const Simulation& simulation) const {
   Traits all{"ball,x,y,z,vx,vy,vz", hardest_contact(), count()};
+  all.truth = "reference, 1e-13";
   if (simulation.method() == methods::reference && count() > most_balls_of_reference) {
     all.refusal = "--method reference is not allowed with " + std::to_string(count()) +
                   " balls: " + why_not_so_many;
