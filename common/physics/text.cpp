@@ -65,7 +65,8 @@ std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
-#ifdef __EMSCRIPTEN__  // JavaScript knows the shortest digits, and a page need not load what finds them
+#ifdef __EMSCRIPTEN__  // JavaScript knows the shortest digits, and a page need not load what finds
+                       // them
 std::string to_text(double value) {
   std::array<char, 400> text{};
   number_as_text(value, text.data(), static_cast<int>(text.size()));

@@ -34,15 +34,15 @@ export const penFor = ctx => heap => {
     if (!known.has(code)) known.set(code, `rgba(${pen.dark ? darkened(parts(code)) : parts(code)},${(code & 255) / 255})`);
     return known.get(code);
   };
-  const thin = new Map(); // the lines of a grid, a thousand: stroked together, by colour, before anything else is drawn
+  const short = new Map(); // lines from point to point, of grids and dashes, a thousand: those that look alike are stroked together, before anything else is drawn
   const flush = () => {
-    if (!thin.size) return;
-    for (const [code, ends] of thin) {
+    if (!short.size) return;
+    for (const { code, width, ends } of short.values()) {
       ctx.beginPath();
       for (let i = 0; i < ends.length; i += 4) { ctx.moveTo(ends[i], ends[i + 1]); ctx.lineTo(ends[i + 2], ends[i + 3]); }
-      stroke(code, 1);
+      stroke(code, width);
     }
-    thin.clear();
+    short.clear();
   };
   const trace = (at, count) => {
     const numbers = heap();
@@ -60,10 +60,10 @@ export const penFor = ctx => heap => {
     dark: false, grow: 1, colour,
     flush,
     line(at, count, code, width) {
-      if (count !== 2 || width !== 1) { trace(at, count); stroke(code, width); return; }
-      const n = heap();
-      if (!thin.has(code)) thin.set(code, []);
-      thin.get(code).push(n[at], n[at + 1], n[at + 2], n[at + 3]);
+      if (count !== 2) { trace(at, count); stroke(code, width); return; }
+      const n = heap(), look = code * 128 + width * 8;
+      if (!short.has(look)) short.set(look, { code, width, ends: [] });
+      short.get(look).ends.push(n[at], n[at + 1], n[at + 2], n[at + 3]);
     },
     fill(at, count, code) {
       const n = heap(), [x, y, width, height] = [n[at], n[at + 1], n[at + 2] - n[at], n[at + 5] - n[at + 1]];
