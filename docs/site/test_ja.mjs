@@ -29,7 +29,7 @@ export async function testJapanese({ check, open, close, startAll, lessons, both
         if (!figure.about.game) { figure.api.method('explicit-euler', 0.1); figure.changed(); figure.tell(); await frame(); }
       });
     }
-    const texts = await page.evaluate(() => [...window.drawn, ...[...document.querySelectorAll(':is(bounce-stage, bounce-figure) :not(option, .setting, script)')].flatMap(element =>
+    const texts = await page.evaluate(() => [...window.drawn, ...[...document.querySelectorAll(':is(bounce-stage, bounce-figure) :not(option, script)')].flatMap(element =>
       [...[...element.childNodes].filter(node => node.nodeType === 3).map(node => node.data), element.title ?? '', element.getAttribute('aria-label') ?? '', element.getAttribute('aria-valuetext') ?? ''])]);
     check(texts.length > 80, `${path}: only ${texts.length} texts are seen`);
     const left = english(texts);

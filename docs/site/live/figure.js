@@ -59,13 +59,12 @@ class Figure extends HTMLElement {
     this.ready = performance.now() - began;
   }
   build() {
-    
     this.svg = svg('svg', { viewBox: `0 0 ${this.wide} ${H}`, role: 'img', 'aria-label': `${say(this.about.title)}: ${this.axes[1].title}, ${this.axes[0].title}` });
     this.grid = svg('g', {}, this.svg);
     for (const line of ['pale', 'formula', 'floor', 'line']) this[line] = svg('path', { class: line }, this.svg);
     this.head = svg('circle', { r: 6, class: 'head', visibility: 'hidden' }, this.svg);
     this.status = html('p', { className: 'facts', 'aria-live': 'polite' });
-    const plain = words => words.replaceAll('--set ', '').replaceAll('--', '').replaceAll(/=/g, ' = ');
+    const plain = words => words.replace(/--set (\w+)=(\S+)/g, (whole, name, value) => `${named(name)} = ${value}`).replace(/--(\w+)/g, (whole, option) => named(option));
     const setting = [plain(this.get('words', '')), this.other ? say('pale: ' + plain(this.get('beside'))) : '', this.hasAttribute('other') ? say('pale: the other ball') : ''].filter(Boolean).join(' · ');
     this.rows = this.get('slider', '').split(/\s+/).filter(Boolean).map(name => this.slider(name));
     this.play = html('button', { type: 'button', className: 'play', onclick: () => this.toggle() }, this.bet.length ? say('play and see') : say('play'));

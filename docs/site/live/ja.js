@@ -16,7 +16,7 @@ learn({
   // Parameters, and what they mean
   mass: '質量', gravity: '重力加速度', position: '位置', velocity: '速度', radius: '半径', stiffness: 'ばね定数', damping: '粘性減衰係数', contact: '接触', floor: '床', tray: '壁',
   'floor stiffness': '床のばね定数', 'floor damping': '床の粘性減衰係数', amplitude: '振幅', 'angular frequency': '角振動数', phase: '位相', 'floor velocity': '床の速度', 'floor law': '床の法則', normal: '法線ベクトル', offset: '平面の d', tilt: '傾き',
-  scene: '場面', gap: '隙間', count: '個数', 'racket position': 'ラケットの位置', 'racket normal': 'ラケットの法線ベクトル', 'racket radius': 'ラケットの半径', 'racket velocity': 'ラケットの速度', mode: '遊び方', assist: '補助', strike: '打つ時', knock: 'はじめのずれ', degrees: '度',
+  scene: '場面', player: '打ち手', gap: '隙間', count: '個数', 'racket position': 'ラケットの位置', 'racket normal': 'ラケットの法線ベクトル', 'racket radius': 'ラケットの半径', 'racket velocity': 'ラケットの速度', mode: '遊び方', assist: '補助', strike: '打つ時', knock: 'はじめのずれ', degrees: '度',
   'how much the ball resists a force': '力を受けても動きにくい度合い', 'pulls downwards; 0 turns it off': '下向きに引く。0 でなくなる', "height of the ball's centre at the start": '開始時のボールの中心の高さ', 'speed at the start, upwards': '開始時の速さ。上向きが正',
   'the ball touches what is nearer to its centre than this': '中心からこれより近いものにボールは触れる', 'spring force per overlap': '重なりあたりのばねの力', 'damper force per speed; 0 for none': '速さあたりのダンパの力。0 でなし', 'may the damper pull the ball back at lift-off?': '離れる瞬間にダンパがボールを引き戻してよいか',
   "the ball's centre x,y,z at the start; y is up": '開始時のボールの中心 x,y,z。y が上', 'velocity x,y,z at the start; y is up': '開始時の速度 x,y,z。y が上', 'a,b,c of the plane a x + b y + c z + d = 0; its length is no matter': '平面 a x + b y + c z + d = 0 の a,b,c。長さは問わない',
@@ -28,7 +28,7 @@ learn({
   "the blind player's racket meets the ball while it slows down or speeds up": '目をつぶった打ち手が、ラケットの減速中に打つか、加速中に打つか', "the blind player's ball starts higher by this": '目をつぶった打ち手のボールはこれだけ高く始まる', 'how much of the aim is taken off a human player': '狙いをどれだけ助けるか',
 
   // Titles, questions, plots
-  'Stage 1: free fall': 'ステージ1：自由落下', 'Stage 2: spring floor': 'ステージ2：ばねの床', 'Stage 3: damping': 'ステージ3：減衰', 'Stage 4: three dimensions': 'ステージ4：三次元', 'Stage 5: ball against ball': 'ステージ5：ボール同士の衝突', 'Stage 6: oscillating floor': 'ステージ6：振動する床', 'Stage 7: tilted plane': 'ステージ7：傾いた平面', 'Stage 8: the racket game': 'ステージ8：ラケットゲーム',
+  'Stage 1: free fall': 'ステージ1：自由落下', 'Stage 2: spring floor': 'ステージ2：ばねの床', 'Stage 3: damping': 'ステージ3：減衰', 'Stage 4: three dimensions': 'ステージ4：3次元', 'Stage 5: ball against ball': 'ステージ5：ボール同士の衝突', 'Stage 6: oscillating floor': 'ステージ6：振動する床', 'Stage 7: tilted plane': 'ステージ7：傾いた平面', 'Stage 8: the racket game': 'ステージ8：ラケットのゲーム',
   'Make dt a hundred times larger. Where does the ball of the loop end up beside the one of the formula?': 'dt を100倍にしてみましょう。ループのボールは、数式のボールと比べてどこに着きますか。',
   'A softer or a harder floor: on which of them does the ball come back higher?': '柔らかい床と硬い床、ボールが高く戻るのはどちらですか。',
   'How much damping lets the ball come back to half its height? And how much makes it stay down?': '半分の高さまで戻るのは、粘性減衰係数がいくらのときですか。もう跳ね返らないのは、いくらからですか。',
@@ -48,7 +48,7 @@ learn({
 
   // The game
   'paused (P)': '一時停止（P）', hits: '回数', points: '得点', 'best *': '最高 *', '* hits': '* 回', '* hit': '* 回', 'keep it up': '落とさずに打ち続ける', 'target: send the ball into the ring': '的：ボールを輪に入れる', 'blind: close your eyes and swing on the beat': '目隠し：目を閉じて拍子で打つ', 'blind: a sine that never looks': '目隠し：見ないで振れる正弦波', 'the autopilot plays': '自動操縦が打っています', 'nobody plays': 'だれも打っていません',
-  'gravity * m/s^2     disc * cm     assist * %': '重力加速度 * m/s^2     円板 * cm     補助 * %', 'gravity * m/s^2     disc * cm': '重力加速度 * m/s^2     円板 * cm', '*     sound off': '*     音なし', 'a top here: + 1': 'ここが頂点なら +1', 'send it here': 'ここへ', 'swing when it is up': '針が上で打つ', 'push *': '押す力 *', touch: '接触',
+  'gravity * m/s^2     disc * cm     assist * %': '重力加速度 * m/s^2     円板 * cm     補助 * %', 'gravity * m/s^2     disc * cm': '重力加速度 * m/s^2     円板 * cm', '*     sound off': '*     音なし', 'a top here: + 1': '頂点：+1', 'send it here': 'ここへ', 'swing when it is up': '針が上で打つ', 'push *': '押す力 *', touch: '接触',
   'mouse or arrows: move    *: tilt    Space or button: swing    G: next mode    - +: assist    F1: all keys': 'マウスか矢印：動かす    *：傾ける    Space かボタン：打つ    G：次の遊び方    - +：補助    F1：キー一覧',
   'struck while the racket slows down: it finds its height': 'ラケットの減速中に打つ：高さが定まる', 'struck while the racket speeds up: it wanders or dies': 'ラケットの加速中に打つ：定まらないか、止まる', 'height of ball and racket, 15 s': 'ボールとラケットの高さ、15 s',
   'Lost after *: your best': '* で落としました：最高記録', 'Lost after *': '* で落としました', 'again, at a quarter of the speed': '4分の1の速さでもう一度', 'any key: play on': '好きなキーで次へ',
