@@ -4,7 +4,7 @@ import { say } from './words.js';
 const sizes = [13, 16, 18, 64]; // px, of Canvas::TextSize
 const sprites = new Map();
 /** In Japanese a space only says where a line may end. */
-const drawn = words => say(words).replace(/(?<=[\u3000-\u9fff]) (?=[\u3000-\u9fff])/g, '');
+const drawn = words => say(words).replace(/([\u3000-\u9fff]) (?=[\u3000-\u9fff])/g, '$1');
 const parts = code => [code >>> 24, code >>> 16 & 255, code >>> 8 & 255];
 
 /** In the dark light and dark change places, and every hue stays. */

@@ -15,7 +15,7 @@ export function say(text) {
     const found = text.match(pattern);
     if (found) return parts.map((part, i) => part + (i < found.length - 1 ? say(found[i + 1]) : '')).join('');
   }
-  const sentences = text.split(/(?<=\.) +(?=[A-Z])/);
+  const sentences = text.replace(/\. +(?=[A-Z])/g, '.\n').split('\n');
   return sentences.length > 1 ? sentences.map(say).join(' ') : text;
 }
 /** A parameter's name, or one component of it: 'racket_velocity y'. */
