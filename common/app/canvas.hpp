@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace bounce {
@@ -47,6 +48,8 @@ class Canvas {
   /// discs. `tint` multiplies its light grey.
   virtual void ball(Point centre, float radius, Colour tint) = 0;
   virtual float text_width(std::string_view words, TextSize size) const = 0;
+  /// A sentence in the language that text() will write, to be broken into lines.
+  virtual std::string in_its_language(const std::string& sentence) const { return sentence; }
   virtual void push_clip(Rect area) = 0;
   virtual void pop_clip() = 0;
 };

@@ -25,6 +25,7 @@ struct View {
   bool dark = false;                     // a game's picture; a page has a switch of its own
   bool survey = false, section = false;  // always, and not only while a slider moves
   bool narrow = false;                   // a phone: the plots are below each other
+  bool in_page = false;                  // of the web: no files, no controller, nothing to quit
   bool from_above = false;               // in space: the camera looks straight down
   std::string tilt_keys = "A D W S";     // what is printed on the keys in these places
   Rect whole{0, 0, 1280, 720};           // the picture of a demo without a panel
@@ -134,7 +135,17 @@ struct Demo {
   std::function<Knock(const Playback&)> knock;  // may be empty
 };
 
-/// As a slider sets a parameter.
+/// Whether demos have pictures. A small figure of a web page draws one curve by itself, and does
+/// not load what draws others.
+#ifdef BOUNCE_FIGURE
+inline constexpr bool has_picture = false;
+#else
+inline constexpr bool has_picture = true;
+#endif
+
+/// As a slider sets a parameter: of a run by itself, and of one that is played.
+void set_parameter(const Demo& demo, Simulation& simulation, const std::string& name,
+                   const std::string& text);
 void set_parameter(const Demo& demo, Playback& playback, const std::string& name,
                    const std::string& text);
 

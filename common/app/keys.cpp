@@ -2,6 +2,24 @@
 
 namespace bounce {
 
+std::vector<Key> keys_of(const Demo& demo) {
+  std::vector<Key> keys{{"P, Space", "pause, play"},
+                        {".  or Right", "one step forward"},
+                        {",  or Left", "one step back"},
+                        {"R", "restart"},
+                        {"O", "slow motion (1/10)"},
+                        {"L", "contact lens: a contact lasts a second"},
+                        {"E", "speed against error, now: click a dot to choose it"}};
+  if (demo.in_space) keys.push_back({"T", "from above, from the side"});
+  if (demo.survey.draw) {
+    keys.push_back({"B", "all values of a slider: click to go there"});
+    keys.push_back({"N", "Poincare section: each touch is a point"});
+  }
+  keys.push_back({"mouse", "drag the ball, and throw it"});
+  keys.push_back({"F1", "this page"});
+  return keys;
+}
+
 bool press(char key, const Demo& demo, Playback& playback, View& view, Controls& controls) {
   switch (key) {
     case ' ':

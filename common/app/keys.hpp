@@ -1,5 +1,5 @@
 #pragma once
-#include <array>
+#include <vector>
 
 #include "app/demo.hpp"
 
@@ -10,18 +10,8 @@ struct Key {
   const char* meaning;
 };
 
-/// The keys of all stages, for the page of help.
-inline constexpr std::array<Key, 10> all_keys{
-    {{"P, Space", "pause, play"},
-     {".  or Right", "one step forward"},
-     {",  or Left", "one step back"},
-     {"R", "restart"},
-     {"O", "slow motion (1/10)"},
-     {"L", "contact lens: a contact lasts a second"},
-     {"E", "speed against error, now: click a dot to choose it"},
-     {"T", "from above, from the side (stages in space)"},
-     {"mouse", "drag the ball, and throw it"},
-     {"F1", "this page"}}};
+/// The keys of a demo that is no game, for the page of help.
+std::vector<Key> keys_of(const Demo& demo);
 
 /// A game has no panel, and takes Space and the arrows for itself.
 inline bool is_game(const Demo& demo) { return demo.control && demo.bare; }

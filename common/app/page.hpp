@@ -27,9 +27,6 @@ struct Page {
   int future_frames = 0;
   bool survey_is_done = true;
 };
-/// What the page's controls are made from: the tables of parameters and dials, the methods. As
-/// JSON.
-std::string about_page(Page& page);
 /// What changes while it runs. As JSON.
 std::string state_of_page(Page& page);
 

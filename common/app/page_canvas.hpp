@@ -13,6 +13,7 @@ class PageCanvas final : public Canvas {
   void text(Point at, std::string_view words, Colour colour, Align align, TextSize size) override;
   void ball(Point centre, float radius, Colour tint) override;
   float text_width(std::string_view words, TextSize size) const override;
+  std::string in_its_language(const std::string& sentence) const override;
   void push_clip(Rect area) override;
   void pop_clip() override;
 };

@@ -40,12 +40,14 @@ void PlotView::draw(Canvas& canvas, Rect area, const Plot& plot, const Playback&
   const Rect box{area.x + 56, area.y + 26, area.width - 56 - 72, area.height - 26 - 26};
 
   std::vector<const TracePoint*> points;
+  std::vector<double> values;
   for (const TracePoint& point : playback.trace()) {
     // `now` is a sum of pieces: rounded, it may end just before the step that it shows.
-    if (point.t >= from - 0.05 && point.t <= now + 1e-9) points.push_back(&point);
+    if (point.t < from - 0.05 || point.t > now + 1e-9) continue;
+    points.push_back(&point);
+    values.push_back(plot.value(point));
   }
-  for (const TracePoint* point : points) {
-    const double value = plot.value(*point);
+  for (const double value : values) {
     if (!std::isfinite(value)) continue;
     if (value > top_) top_ = outward(value);
     if (value < bottom_) bottom_ = outward(value);
@@ -81,7 +83,7 @@ void PlotView::draw(Canvas& canvas, Rect area, const Plot& plot, const Playback&
       draw_rect(canvas, {left, box.y, std::max(1.0f, right - left), box.height},
                 palette::spring.faded(0.08));
     }
-    if (std::isfinite(plot.value(point))) curve.push_back(at(point.t, plot.value(point)));
+    if (std::isfinite(values[i])) curve.push_back(at(point.t, values[i]));
     if (plot.exact && !point.exact.empty()) exact.push_back(at(point.t, plot.exact(point)));
   }
   canvas.line(curve, plot.colour, 2);
@@ -92,7 +94,7 @@ void PlotView::draw(Canvas& canvas, Rect area, const Plot& plot, const Playback&
     const Point end = curve.back();
     canvas.disc(end, 3.5f, plot.colour);
     char text[32];
-    std::snprintf(text, sizeof text, "%+.3g", plot.value(*points.back()) + 0.0);
+    std::snprintf(text, sizeof text, "%+.3g", values.back() + 0.0);
     const float y = std::clamp(end.y, box.y, box.bottom());
     draw_label(canvas, {box.right() + 8, y - 8}, text, palette::ink, Align::left, TextSize::normal);
   }

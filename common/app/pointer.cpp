@@ -24,17 +24,8 @@ void HeldBall::follow(const Demo& demo, Playback& playback, const View& view, do
 void set_parameter(const Demo& demo, Playback& playback, const std::string& name,
                    const std::string& text) {
   const std::vector<Parameter> now = playback.simulation().parameters();
-  playback.change(
-      [&](Simulation& simulation) {
-        const std::vector<Parameter> all = simulation.parameters();
-        const Parameter& changed = find_parameter(all, name);
-        if (demo.set) {
-          demo.set(simulation, changed, text);
-        } else {
-          changed.set(text);
-        }
-      },
-      find_parameter(now, name).is_start);
+  playback.change([&](Simulation& simulation) { set_parameter(demo, simulation, name, text); },
+                  find_parameter(now, name).is_start);
 }
 
 bool choose_from_chart(const Demo& demo, const View& view, const ErrorChart& chart,

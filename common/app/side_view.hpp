@@ -42,6 +42,7 @@ Demo side_demo(const BallOnALine& look = {}) {
   using Its = OneBallRun<Scene, Phases>;
   Demo demo;
   demo.make = [] { return std::make_unique<Its>(); };
+  if constexpr (!has_picture) return demo;
   use_side_view(demo, [look](const Simulation& simulation) {
     const Scene scene = run_as<Its>(simulation).scene();
     BallOnALine ball = look;

@@ -45,6 +45,7 @@ Demo space_demo(const BallInSpace& look = {}) {
   using Its = OneBallRun<Scene, Phases>;
   Demo demo;
   demo.make = [] { return std::make_unique<Its>(); };
+  if constexpr (!has_picture) return demo;
   use_space_view(demo, [look](const Simulation& simulation) {
     const Scene scene = run_as<Its>(simulation).scene();
     BallInSpace ball = look;

@@ -148,23 +148,18 @@ void Window::draw_chart() {
 }
 
 void Window::draw_help() {
-  const bool survey = static_cast<bool>(demo_.survey.draw);
-  const Rect area{150, 110, 490, survey ? 408.0f : 354.0f};
+  std::vector<Key> keys = keys_of(demo_);
+  keys.push_back({"F12", "save a picture"});
+  keys.push_back({"Esc", "quit"});
+  const Rect area{150, 110, 490, 30 + 27 * static_cast<float>(keys.size())};
   draw_rect(canvas_, area, palette::paper.faded(0.95));
   draw_frame(canvas_, area, palette::ink, 1);
   float y = area.y + 16;
-  const auto line = [&](const Key& key) {
+  for (const Key& key : keys) {
     canvas_.text({area.x + 24, y}, key.key, palette::ink, Align::left, TextSize::normal);
     canvas_.text({area.x + 150, y}, key.meaning, palette::ink, Align::left, TextSize::normal);
     y += 27;
-  };
-  for (const Key& key : all_keys) line(key);
-  if (survey) {
-    line({"B", "all values of a slider: click to go there"});
-    line({"N", "Poincare section: each touch is a point"});
   }
-  line({"F12", "save a picture"});
-  line({"Esc", "quit"});
 }
 
 void Window::read_pixels() {

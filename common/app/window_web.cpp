@@ -4,11 +4,11 @@
 #include <emscripten.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "app/kept_number.hpp"
 #include "app/layout.hpp"
 #include "app/page.hpp"
+#include "app/page_calls.hpp"
 #include "app/page_words.hpp"
 #include "app/survey.hpp"
 #include "run/output_file.hpp"
@@ -28,18 +28,6 @@ std::unique_ptr<Page> page;
 std::string answer;
 std::vector<double> rows;
 
-/// Calls `work`. The answer is what it throws, a sentence; or nothing, when all went well.
-template <class Work>
-const char* guard(const Work& work) {
-  answer.clear();
-  try {
-    work();
-  } catch (const std::exception& error) {
-    answer = error.what();
-  }
-  return answer.c_str();
-}
-
 }  // namespace
 
 int kept_number(const std::string& name) { return page_kept(name.c_str()); }
@@ -50,10 +38,11 @@ void save_picture(const Demo&, std::unique_ptr<Simulation>, const Options&, cons
 }
 
 int play_demo(int argc, const char* const* argv, const Demo& demo) {
-  const std::string refused = guard([&] {
+  const std::string refused = guard(answer, [&] {
     std::unique_ptr<Simulation> simulation = set_up(argc, argv, demo);  // may change demo.bare
     page = std::make_unique<Page>(Page{demo, Playback(std::move(simulation)), demo.make()});
     page->playback.paused = true;
+    page->view.in_page = true;
   });
   return refused.empty() ? exit_ok : exit_input;
 }
@@ -66,7 +55,10 @@ extern "C" {
 
 /// Why there is no page, as a sentence.
 EMSCRIPTEN_KEEPALIVE const char* page_refusal() { return page ? "" : answer.c_str(); }
-EMSCRIPTEN_KEEPALIVE const char* page_about() { return (answer = about_page(*page)).c_str(); }
+EMSCRIPTEN_KEEPALIVE const char* page_about() {
+  Page& p = *page;
+  return (answer = about_page(p.demo, p.playback.simulation(), *p.fresh)).c_str();
+}
 EMSCRIPTEN_KEEPALIVE const char* page_state() { return (answer = state_of_page(*page)).c_str(); }
 
 /// One frame: what hands do, then `seconds` of movement. Draws nothing.
@@ -113,20 +105,16 @@ EMSCRIPTEN_KEEPALIVE void page_draw(int part) {
 
 /// What a slider, a text field or a choice sets: a parameter or a dial.
 EMSCRIPTEN_KEEPALIVE const char* page_set(const char* name, const char* text) {
-  return guard([&] {
+  return guard(answer, [&] {
     Page& p = *page;
     if (p.future_frames == 0) p.view.earlier = p.playback.future(future_length);
     p.future_frames = future_lingers;
-    for (const Dial& dial : p.demo.dials) {
-      const auto value = parse_number(text);
-      if (dial.name != name || !value) continue;
-      return p.playback.change([&](Simulation& simulation) { dial.set(simulation, *value); });
-    }
-    set_parameter(p.demo, p.playback, name, text);
+    if (!is_dial(p.demo, name)) return set_parameter(p.demo, p.playback, name, text);
+    p.playback.change([&](Simulation& simulation) { set_dial(p.demo, simulation, name, text); });
   });
 }
 EMSCRIPTEN_KEEPALIVE const char* page_method(const char* name, double dt) {
-  return guard([&] {
+  return guard(answer, [&] {
     page->playback.change([&](Simulation& simulation) {
       simulation.use_method(find_method(name, simulation.methods()));
       simulation.use_dt(dt);
@@ -196,34 +184,15 @@ EMSCRIPTEN_KEEPALIVE double page_knock() {
   return is_new ? knock.speed : 0;
 }
 
-/// A run from the start with these settings, by itself: at most about `count` rows of t, the
-/// trace's columns and, if asked for, the exact solution's; by whole steps. Returns how many
-/// numbers there are; page_rows says where.
+/// A run by itself (page_calls.hpp). Returns how many numbers there are; page_rows says where.
 EMSCRIPTEN_KEEPALIVE int page_path(double seconds, int count, int with_exact) {
-  rows.clear();
-  guard([&] {
-    const std::unique_ptr<Simulation> run = page->playback.simulation().clone();
-    run->keep_energy_book(false);
-    run->restart();
-    const bool by_events = run->method().goes_by_events;
-    const double stride = seconds / (count - 1), whole = std::ceil(stride / run->dt() - 1e-9);
-    for (double row = 0; run->time() <= seconds * (1 + 1e-9); ++row) {
-      rows.push_back(run->time());
-      const auto append = [](const std::vector<double>& values) {
-        rows.insert(rows.end(), values.begin(), values.end());
-      };
-      append(run->values());
-      if (with_exact != 0) append(run->exact_values(run->time()));
-      if (by_events && row >= count - 1) break;
-      run->advance_to(by_events ? (row + 1) * stride
-                                : run->time_of_next_step() + (whole - 1) * run->dt());
-    }
-  });
+  guard(answer,
+        [&] { run_path(page->playback.simulation(), seconds, count, with_exact != 0, rows); });
   return static_cast<int>(rows.size());
 }
 /// The page's own run, as a test drives it: on to the time t; then all that its next step needs.
 EMSCRIPTEN_KEEPALIVE int page_values(double t) {
-  guard([&] { page->playback.simulation().advance_to(t); });
+  guard(answer, [&] { page->playback.simulation().advance_to(t); });
   rows = page->playback.simulation().values();
   return static_cast<int>(rows.size());
 }

@@ -9,6 +9,25 @@
 #include <numeric>
 #include <version>
 
+#ifdef __EMSCRIPTEN__
+#include <emscripten.h>
+// clang-format off
+EM_JS(double, text_as_number, (const char* text), { return Number(UTF8ToString(text)); });
+// Of the two ways to write the shortest digits the shorter one, as std::to_chars does.
+EM_JS(void, number_as_text, (double value, char* text, int size), {
+  const size_of = Math.abs(value), sign = value < 0 || Object.is(value, -0) ? "-" : "", whole = size_of.toExponential().split("e");
+  let shorter = isNaN(value) ? "nan" : "inf";
+  if (isFinite(value)) {
+    const digits = whole[0], power = Number(whole[1]), decimals = Math.max(0, Math.max(0, digits.length - 2) - power);
+    const scientific = digits + "e" + (power < 0 ? "-" : "+") + String(Math.abs(power)).padStart(2, "0");
+    const fixed = size_of >= 1e21 ? String(BigInt(size_of)) : decimals > 100 ? scientific : size_of.toFixed(decimals);
+    shorter = fixed.length <= scientific.length ? fixed : scientific;
+  }
+  stringToUTF8(sign + shorter, text, size);
+});
+// clang-format on
+#endif
+
 namespace bounce {
 
 #ifdef __cpp_lib_to_chars  // <charconv> has floating point
@@ -33,14 +52,27 @@ std::optional<double> parse_number(std::string_view text) {
   if (text.empty() || text.find_first_not_of("+-.0123456789eE") != text.npos) return std::nullopt;
   if (text[0] == '+') return std::nullopt;
   const std::string word(text);
+#ifdef __EMSCRIPTEN__
+  const double value = text_as_number(word.c_str());
+  if (!std::isfinite(value)) return std::nullopt;
+#else
   char* end = nullptr;
   const double value = std::strtod(word.c_str(), &end);
   if (end != word.c_str() + word.size() || !std::isfinite(value)) return std::nullopt;
+#endif
   const std::string_view digits = text.substr(0, text.find_first_of("eE"));
   if (value == 0 && digits.find_first_of("123456789") != digits.npos) return std::nullopt;
   return value;
 }
 
+#ifdef __EMSCRIPTEN__  // JavaScript knows the shortest digits, and a page need not load what finds
+                       // them
+std::string to_text(double value) {
+  std::array<char, 400> text{};
+  number_as_text(value, text.data(), static_cast<int>(text.size()));
+  return text.data();
+}
+#else
 std::string to_text(double value) {
   std::array<char, 400> shortest{}, fixed{};
   const auto reads_back = [&](int digits) {
@@ -59,6 +91,7 @@ std::string to_text(double value) {
   }
   return std::isnan(value) ? (std::signbit(value) ? "-nan" : "nan") : shortest.data();
 }
+#endif
 #endif
 
 std::string to_text(std::span<const double> values) {

@@ -16,8 +16,10 @@ import diff from 'highlight.js/lib/languages/diff';
 import json from 'highlight.js/lib/languages/json';
 import python from 'highlight.js/lib/languages/python';
 import MiniSearch from 'minisearch';
+import { liveTwin, searchTwin, stageTwin } from './folder.mjs';
 import { searched, t } from './live/language.js';
 
+const require = createRequire(import.meta.url);
 const [docs, out, stages] = process.argv.slice(2).map(normalize), root = dirname(docs), here = dirname(fileURLToPath(import.meta.url));
 const problems = [], read = path => readFileSync(path, 'utf8');
 const write = (path, text) => { mkdirSync(dirname(join(out, path)), { recursive: true }); writeFileSync(join(out, path), text); };
@@ -96,7 +98,7 @@ function shell(path, name, body, toc = '') {
   const menu = pages.filter(p => language(p) === lang && !p.includes('deeper/')), deeper = p => join(dirname(p), 'deeper', basename(p));
   const entry = (p, text, kind) => `<li class="${kind}${p === path ? ' here' : ''}"><a href="${base}${page(p)}"${p === path ? ' aria-current="page"' : ''}>${text}</a></li>`;
   const nav = menu.map(p => entry(p, md.renderInline(titles.get(p).replace(/^(\d+)\. /, '$1\\. ')), '') + (pages.includes(deeper(p)) ? entry(deeper(p), say('second page'), 'deeper') : '')).join('');
-  const live = ['stage', 'figure'].filter(kind => body.includes('<bounce-' + kind)).map(kind => `<script type="module" src="${base}live/${kind}.js"></script>`).join('');
+  const live = ['stage', 'figure'].filter(kind => body.includes('<bounce-' + kind)).flatMap((kind, i) => i || lang === 'en' ? kind : [lang, kind]).map(kind => `<script type="module" src="${base}live/${kind}.js"></script>`).join('');
   return `<!doctype html>
 <html lang="${lang}"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width,initial-scale=1"><title>${md.utils.escapeHtml(name)} · Bounce</title>
 <link rel="icon" href="data:,"><link rel="stylesheet" href="${base}assets/katex.min.css"><link rel="stylesheet" href="${base}assets/site.css">
@@ -149,16 +151,24 @@ for (const source of sources) {
 for (const [lang, sections] of Object.entries(search)) {
   const index = new MiniSearch(searched(lang));
   index.addAll(sections.filter((s, i) => s.text && sections.findIndex(o => o.id === s.id) === i));
-  if (sections.length) write(`assets/search.${lang}.json`, JSON.stringify(index));
+  if (!sections.length) continue;
+  write(`assets/search.${lang}.json`, JSON.stringify(index));
+  write(`assets/search.${lang}.file.js`, searchTwin(join(dirname(require.resolve('minisearch')), '../umd/index.js'), join(here, 'live/language.js'), JSON.stringify(index)));
 }
-const require = createRequire(import.meta.url), katex = dirname(require.resolve('katex'));
+const katex = dirname(require.resolve('katex'));
 const copy = (from, to) => { mkdirSync(dirname(join(out, to)), { recursive: true }); cpSync(from, join(out, to), { recursive: true }); };
 copy(join(katex, 'katex.min.css'), 'assets/katex.min.css');
 for (const font of readdirSync(join(katex, 'fonts'))) if (font.endsWith('.woff2')) copy(join(katex, 'fonts', font), 'assets/fonts/' + font);
 copy(join(dirname(require.resolve('minisearch')), '..', 'es', 'index.js'), 'assets/minisearch.js');
 for (const file of ['site.css', 'site.js']) copy(join(here, file), 'assets/' + file);
 copy(join(here, 'live'), 'live');
-if (stages) for (const file of readdirSync(stages)) if (/^\d\d_\w+\.(js|wasm)$/.test(file)) copy(join(stages, file), 'live/' + file);
+write('live/live.file.js', liveTwin(['words', 'ja', 'module', 'pen', 'figure', 'stage'].map(name => join(here, `live/${name}.js`))));
+for (const wasm of stages ? readdirSync(stages).filter(file => /^\d\d_\w+\.wasm$/.test(file)) : []) {
+  const name = wasm.slice(0, -5), [script, code] = ['.js', '.wasm'].map(end => join(stages, name + end));
+  copy(script, `live/${name}.js`);
+  copy(code, `live/${wasm}`);
+  write(`live/${name}.file.js`, stageTwin(name, script, code));
+}
 console.log(`${pages.length} pages, ${sources.size} sources, ${problems.length} problems`);
 problems.forEach(problem => console.log('  ' + problem));
 process.exit(problems.length ? 1 : 0);

@@ -8,7 +8,7 @@ using namespace bounce;
 int main(int argc, char** argv) {
   Demo demo;
   demo.make = [] { return std::make_unique<BallsRun>(); };
-  use_balls_picture(demo);
+  if constexpr (has_picture) use_balls_picture(demo);
   demo.stage = {"05_ball_collision", "balls that bounce off each other, a floor and walls"};
   demo.title = "Stage 5: ball against ball";
   demo.question =

@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
   demo.set = set_without_jump;
   demo.plots = {plot_column("velocity", "m/s", "v"),
                 plot_lost_energy("energy lost to the damper, this bounce")};
-  demo.survey = amplitude_survey();
+  if constexpr (has_picture) demo.survey = amplitude_survey();
   demo.options = {{"--sweep", "NAME=FROM,TO,N",
                    "N values of a parameter: for each, 100 bounces after 300, to --csv or "
                    "--screenshot"}};

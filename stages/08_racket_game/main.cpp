@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
   demo.bare = true;  // a game has no panel; the bare physics, which an option asks for, has one
   demo.options = racket_game_options(demo.bare, record, demo.keys);
   demo.plots = {plot_column("velocity along y (up)", "m/s", "vy")};
-  use_hands(demo, use_game_view(demo));
+  if constexpr (has_picture) use_hands(demo, use_game_view(demo));
   demo.at_end = with_files([&record] {
     if (!record.path.empty()) write_input_log(record.path, *record.log);
   });

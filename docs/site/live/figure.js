@@ -4,7 +4,8 @@
 // y, x: columns of the trace (x: t, in place of one), or y=apart, how far the height is from that by formula; of ball `ball`
 // (from 0), and pale of `other`. exact: the curve by formula, dashed. beside: the words of a second run, pale. xrange, yrange: what is shown.
 // bet: what the reader guesses before anything is drawn, and then plays. He drags a flag to the height of the second top (top2), of
-// any top (tops), to where the first touch begins (touch1), to the end (end). With a slider he sets that, for the top to be at `goal`.
+// any top (tops), to where the first touch begins (touch1), to the end (end). With a slider his bet is the slider's number, for the top to
+// be at `goal`: what is asked then, such as the racket's speed, is no place in the picture, so the flag stands at the goal.
 import { start } from './module.js';
 import { control, html, named, say, watch } from './words.js';
 
@@ -51,24 +52,23 @@ class Figure extends HTMLElement {
     this.seconds = +this.get('seconds', 3);
     this.bet = (this.get('bet', '').match(/^(\D+)(\d*)$/) ?? []).slice(1);
     const units = { t: 's', v: 'm/s', vx: 'm/s', vy: 'm/s', vz: 'm/s' }, called = { t: 'time', y: 'height', v: 'velocity', apart: 'how far apart' };
-    this.axes = ['x', 'y'].map((axis, i) => { const column = this.get(axis, i ? 'y' : 't'); return { column, title: `${say(called[column] ?? column, this)} [${units[column] ?? 'm'}]` }; });
+    this.axes = ['x', 'y'].map((axis, i) => { const column = this.get(axis, i ? 'y' : 't'); return { column, title: `${say(called[column] ?? column)} [${units[column] ?? 'm'}]` }; });
     this.wide = Math.max(320, Math.min(640, this.clientWidth - 20));
     this.build();
     this.compute();
     this.ready = performance.now() - began;
   }
   build() {
-    const { api } = this, s = text => say(text, this);
-    this.svg = svg('svg', { viewBox: `0 0 ${this.wide} ${H}`, role: 'img', 'aria-label': `${this.about.title}: ${this.axes[1].title}, ${this.axes[0].title}` });
+    this.svg = svg('svg', { viewBox: `0 0 ${this.wide} ${H}`, role: 'img', 'aria-label': `${say(this.about.title)}: ${this.axes[1].title}, ${this.axes[0].title}` });
     this.grid = svg('g', {}, this.svg);
     for (const line of ['pale', 'formula', 'floor', 'line']) this[line] = svg('path', { class: line }, this.svg);
     this.head = svg('circle', { r: 6, class: 'head', visibility: 'hidden' }, this.svg);
     this.status = html('p', { className: 'facts', 'aria-live': 'polite' });
-    const plain = words => words.replaceAll('--set ', '').replaceAll('--', '').replaceAll(/=/g, ' = ');
-    const setting = [plain(this.get('words', '')), this.other ? s('pale: ') + plain(this.get('beside')) : '', this.hasAttribute('other') ? s('pale: the other ball') : ''].filter(Boolean).join(' · ');
+    const plain = words => words.replace(/--set (\w+)=(\S+)/g, (whole, name, value) => `${named(name)} = ${value}`).replace(/--(\w+)/g, (whole, option) => named(option));
+    const setting = [plain(this.get('words', '')), this.other ? say('pale: ' + plain(this.get('beside'))) : '', this.hasAttribute('other') ? say('pale: the other ball') : ''].filter(Boolean).join(' · ');
     this.rows = this.get('slider', '').split(/\s+/).filter(Boolean).map(name => this.slider(name));
-    this.play = html('button', { type: 'button', className: 'play', onclick: () => this.toggle() }, this.bet.length ? s('play and see') : s('play'));
-    const again = this.bet.length && !this.rows.length ? [html('button', { type: 'button', onclick: () => { this.end(); this.shown = false; this.show(0); } }, s('bet again'))] : [];
+    this.play = html('button', { type: 'button', className: 'play', onclick: () => this.toggle() }, this.bet.length ? say('play and see') : say('play'));
+    const again = this.bet.length && !this.rows.length ? [html('button', { type: 'button', onclick: () => { this.end(); this.shown = false; this.show(0); } }, say('bet again'))] : [];
     this.replaceChildren(this.svg, ...this.rows, html('div', { className: 'buttons' }, this.play, ...again), this.status, html('p', { className: 'setting' }, setting));
     if (this.bet.length) this.buildFlag();
   }
@@ -80,11 +80,11 @@ class Figure extends HTMLElement {
       if (!wrong) { this.end(); this.shown = false; this.about = JSON.parse(api.about()); this.compute(); }
       return wrong;
     };
-    if (name === 'dt') return control({ name: 'time step', unit: 's', meaning: '', text: String(this.about.dt), lowest: 1e-3, highest: .2 }, this, apply(text => api.method(this.about.method, +text)));
-    if (name === 'method') return control({ name, unit: '', meaning: '', text: this.about.method, choices: this.about.methods }, this, apply(text => api.method(text, this.about.dt)));
-    if (!component) return control(parameter, this, apply(text => api.set(name, text)));
+    if (name === 'dt') return control({ name: 'time step', unit: 's', meaning: '', text: String(this.about.dt), lowest: 1e-3, highest: .2 }, apply(text => api.method(this.about.method, +text)));
+    if (name === 'method') return control({ name, unit: '', meaning: '', text: this.about.method, choices: this.about.methods }, apply(text => api.method(text, this.about.dt)));
+    if (!component) return control(parameter, apply(text => api.set(name, text)));
     const parts = parameter.text.split(','), at = 'xyz'.indexOf(component);
-    return control({ ...parameter, name: `${whole} ${component}`, text: parts[at] }, this, apply(text => { parts[at] = text; return api.set(whole, parts.join(',')); }));
+    return control({ ...parameter, name: `${whole} ${component}`, text: parts[at] }, apply(text => { parts[at] = text; return api.set(whole, parts.join(',')); }));
   }
 
   /** The curve of a ball, from the start to the end: points [x, y], the velocity upwards at each, the floor; by formula. */
@@ -114,7 +114,7 @@ class Figure extends HTMLElement {
     this.floor.setAttribute('d', this.run.ground.length ? this.d(this.run.ground) : level ? `M${left} ${this.Y(0)}H${this.right}` : '');
     const { points, up } = this.run, { tops, touches } = moments(points, up), [what, which] = this.bet, n = (+which || 1) - 1;
     this.found = () => ({ top: tops[n], touch: touches[n], end: points.at(-1), tops: tops.reduce((best, top) => !best || Math.abs(top[1] - this.guess) < Math.abs(best[1] - this.guess) ? top : best, undefined) })[what];
-    this.status.textContent = this.run.trouble || (this.run.exact.length ? say('dashed: by formula', this) : '');
+    this.status.textContent = say(this.run.trouble) || (this.run.exact.length ? say('dashed: by formula') : '');
     this.cost = performance.now() - before;
     this.show(this.bet.length && !this.shown ? 0 : 1);
   }
@@ -168,9 +168,9 @@ class Figure extends HTMLElement {
       this.input.setAttribute('aria-valuetext', this.said.textContent);
     };
     if (goal) { this.guess = +goal; return; }
-    this.input = html('input', { type: 'range', step: 'any', 'aria-label': say('your bet', this), oninput: () => this.put(+this.input.value) });
+    this.input = html('input', { type: 'range', step: 'any', 'aria-label': say('your bet'), oninput: () => this.put(+this.input.value) });
     this.said = html('output');
-    this.play.parentElement.before(html('label', { className: 'row' }, html('span', {}, say('your bet', this)), this.input, this.said));
+    this.play.parentElement.before(html('label', { className: 'row' }, html('span', {}, say('your bet')), this.input, this.said));
     const drag = event => {
       if (!event.buttons || this.shown) return;
       const box = this.svg.getBoundingClientRect(), x = (event.clientX - box.left) / box.width * this.wide, y = (event.clientY - box.top) / box.height * H;
@@ -187,11 +187,11 @@ class Figure extends HTMLElement {
     if (input) input.disabled = share > 0;
     const found = share > 0 ? this.found() : undefined, is_there = found && share * (this.run.points.length - 1) >= this.run.points.indexOf(found);
     this.answer.setAttribute('visibility', is_there ? 'visible' : 'hidden');
-    if (share === 0) this.status.textContent = input ? `${say('Drag the flag to your bet', this)}: ${say(asked[this.bet.join('')] ?? asked.tops, this)}.` : say('Set your bet, then play.', this);
-    if (share === 1 && !found) this.status.textContent = say('It does not come to that.', this);
+    if (share === 0) this.status.textContent = input ? say(`Drag the flag to your bet: ${asked[this.bet.join('')] ?? asked.tops}.`) : say('Set your bet, then play.');
+    if (share === 1 && !found) this.status.textContent = say('It does not come to that.');
     if (!is_there) return;
     this.answer.setAttribute('cx', this.X(found[0])); this.answer.setAttribute('cy', this.Y(found[1]));
-    this.status.textContent = `${say(input ? 'your bet' : 'wanted', this)}: ${short(this.guess)} ${unit} · ${say('answer', this)}: ${short(found[along])} ${unit} · ${say('you are off by', this)} ${short(Math.abs(this.guess - found[along]))} ${unit}`;
+    this.status.textContent = `${say(input ? 'your bet' : 'wanted')}: ${short(this.guess)} ${unit} · ${say('answer')}: ${short(found[along])} ${unit} · ${say('you are off by')} ${short(Math.abs(this.guess - found[along]))} ${unit}`;
   }
 
   // ---- Time
@@ -200,7 +200,7 @@ class Figure extends HTMLElement {
     let t = 0, last = performance.now();
     this.length = this.hasAttribute('xrange') ? this.run.points.at(-1)[0] - this.run.points[0][0] : this.seconds;
     const rate = Math.max(1, this.length / 6);
-    this.playing = true; this.shown = true; this.play.textContent = say('pause', this);
+    this.playing = true; this.shown = true; this.play.textContent = say('pause');
     const frame = now => {
       if (!this.playing) return;
       if (!this.seen) { this.parked = () => { last = performance.now(); requestAnimationFrame(frame); }; return; }
@@ -215,7 +215,7 @@ class Figure extends HTMLElement {
   }
   end() {
     if (this.playing) { this.playing = false; this.show(1); }
-    this.play.textContent = this.bet.length ? say('play and see', this) : say('play', this);
+    this.play.textContent = this.bet.length ? say('play and see') : say('play');
   }
 }
 customElements.define('bounce-figure', Figure);

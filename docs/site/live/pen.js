@@ -1,6 +1,10 @@
 // What the C++ draws with (common/app/page_canvas.hpp), on a <canvas>. Colours come as 0xRRGGBBAA, points as numbers in its memory.
+import { say } from './words.js';
+
 const sizes = [13, 16, 18, 64]; // px, of Canvas::TextSize
 const sprites = new Map();
+/** In Japanese a space only says where a line may end. */
+const drawn = words => say(words).replace(/([\u3000-\u9fff]) (?=[\u3000-\u9fff])/g, '$1');
 const parts = code => [code >>> 24, code >>> 16 & 255, code >>> 8 & 255];
 
 /** In the dark light and dark change places, and every hue stays. */
@@ -30,15 +34,15 @@ export const penFor = ctx => heap => {
     if (!known.has(code)) known.set(code, `rgba(${pen.dark ? darkened(parts(code)) : parts(code)},${(code & 255) / 255})`);
     return known.get(code);
   };
-  const thin = new Map(); // the lines of a grid, a thousand: stroked together, by colour, before anything else is drawn
+  const short = new Map(); // lines from point to point, of grids and dashes, a thousand: those that look alike are stroked together, before anything else is drawn
   const flush = () => {
-    if (!thin.size) return;
-    for (const [code, ends] of thin) {
+    if (!short.size) return;
+    for (const { code, width, ends } of short.values()) {
       ctx.beginPath();
       for (let i = 0; i < ends.length; i += 4) { ctx.moveTo(ends[i], ends[i + 1]); ctx.lineTo(ends[i + 2], ends[i + 3]); }
-      stroke(code, 1);
+      stroke(code, width);
     }
-    thin.clear();
+    short.clear();
   };
   const trace = (at, count) => {
     const numbers = heap();
@@ -56,20 +60,26 @@ export const penFor = ctx => heap => {
     dark: false, grow: 1, colour,
     flush,
     line(at, count, code, width) {
-      if (count !== 2 || width !== 1) { trace(at, count); stroke(code, width); return; }
-      const n = heap();
-      if (!thin.has(code)) thin.set(code, []);
-      thin.get(code).push(n[at], n[at + 1], n[at + 2], n[at + 3]);
+      if (count !== 2) { trace(at, count); stroke(code, width); return; }
+      const n = heap(), look = code * 128 + width * 8;
+      if (!short.has(look)) short.set(look, { code, width, ends: [] });
+      short.get(look).ends.push(n[at], n[at + 1], n[at + 2], n[at + 3]);
     },
-    fill(at, count, code) { trace(at, count); fill(code); },
+    fill(at, count, code) {
+      const n = heap(), [x, y, width, height] = [n[at], n[at + 1], n[at + 2] - n[at], n[at + 5] - n[at + 1]];
+      const is_rectangle = count === 4 && n[at + 3] === y && n[at + 4] === n[at + 2] && n[at + 6] === x && n[at + 7] === n[at + 5];
+      if (!is_rectangle) { trace(at, count); fill(code); return; }
+      flush(); ctx.fillStyle = filling(code); ctx.fillRect(x, y, width, height); // a diagram's dots are thousands: no path for each
+    },
     circle(x, y, radius, code, width) { flush(); ctx.beginPath(); ctx.arc(x, y, Math.max(0, radius), 0, 2 * Math.PI); if (width) stroke(code, width); else fill(code); },
     ball(x, y, radius, code) { flush(); ctx.drawImage(sprite(code >>> 0), x - radius, y - radius, 2 * radius, 2 * radius); },
     text(x, y, words, code, align, size) {
       if (!pen.grow) return; // too small for words: the page says them
       flush(); font(size); ctx.textAlign = ['left', 'center', 'right'][align]; ctx.textBaseline = 'top'; ctx.fillStyle = colour(code);
-      ctx.fillText(words, x, y + 1 - (grow(size) - 1) * sizes[size] / 2);
+      ctx.fillText(drawn(words), x, y + 1 - (grow(size) - 1) * sizes[size] / 2);
     },
-    width(words, size) { font(size); return ctx.measureText(words).width; },
+    width(words, size) { font(size); return ctx.measureText(drawn(words)).width; },
+    say,
     push(x, y, width, height) { flush(); ctx.save(); ctx.beginPath(); ctx.rect(x, y, width, height); ctx.clip(); },
     pop() { flush(); ctx.restore(); },
   };

@@ -51,7 +51,7 @@ class Stage extends HTMLElement {
     if (this.hasAttribute('errors')) api.press('e'.charCodeAt());
     this.runTo(Number(this.getAttribute('at')));
     if (matchMedia('(prefers-reduced-motion: reduce)').matches) { api.see('calm', 1); api.see('trail', 0); }
-    this.canvas.setAttribute('aria-label', `${this.about.title}. ${this.about.question} P: ${say('play', this)}, F1: ${say('help', this)}.`);
+    this.canvas.setAttribute('aria-label', `${say(this.about.title)}. ${say(this.about.question)} P: ${say('play')}, F1: ${say('help')}.`);
     this.down = 0; this.frames = 0; this.costs = []; this.parts = [];
     this.build(); this.listen(); this.update(); this.draw();
     this.ready = performance.now() - began;
@@ -70,22 +70,23 @@ class Stage extends HTMLElement {
 
   // ---- What can be moved
   build() {
-    const { api, about } = this, s = text => say(text, this);
-    const button = (text, key, title = text) => html('button', { type: 'button', title: s(title), 'aria-label': s(title), onclick: event => this.press(key, event.detail > 0) }, text === title ? s(text) : text);
-    const see = (what, text = what) => html('button', { type: 'button', onclick: () => { api.see(what, this.state[what] ? 0 : 1); this.changed(); } }, s(text));
+    const { api, about } = this;
+    const button = (text, key, title = text) => html('button', { type: 'button', title: say(title), 'aria-label': say(title), onclick: event => this.press(key, event.detail > 0) }, text === title ? say(text) : text);
+    const see = (what, text = what) => html('button', { type: 'button', onclick: () => { api.see(what, this.state[what] ? 0 : 1); this.changed(); } }, say(text));
     this.play = button('play', 'p'); this.play.className = 'play';
     this.toggles = about.game ? { muted: button('sound', 'm'), help: button('help', '?') } : {
       slow: button('slow', 'o'), lens: button('lens', 'l'), forces: see('forces'), exact: see('exact'), trail: see('trail'),
       ...(about.space ? { above: button('from above', 't') } : {}), errors: button('errors', 'e'),
       ...(about.survey ? { survey: button(`every ${about.survey}`, 'b'), section: button('section', 'n') } : {}), help: button('help', '?') };
-    this.scrub = html('input', { type: 'range', min: 0, max: 1, step: 'any', 'aria-label': s('time'), oninput: () => { api.go_back(+this.scrub.value); this.changed(); } });
+    this.scrub = html('input', { type: 'range', min: 0, max: 1, step: 'any', 'aria-label': say('time'), oninput: () => { api.go_back(+this.scrub.value); this.changed(); } });
     this.clock = html('output'); this.facts = html('p', { className: 'facts' });
-    this.energies = ['height', 'spring', 'motion', 'lost'].map(name => { const number = html('b'); return { name, number, item: html('span', { className: name }, s(name) + ' ', number) }; });
-    this.energy = html('p', { className: 'energy' }, s('energy'), ...this.energies.map(e => e.item));
+    this.energies = ['height', 'spring', 'motion', 'lost'].map(name => { const number = html('b'); return { name, number, item: html('span', { className: name }, say(name) + ' ', number) }; });
+    this.energy = html('p', { className: 'energy' }, say('energy'), ...this.energies.map(e => e.item));
     this.warning = html('p', { className: 'warning', 'aria-live': 'polite' });
+    this.help = html('div', { className: 'keys', hidden: true }, ...about.keys.map(text => html('span', {}, say(text))));
     this.controls = new Map();
     const row = parameter => {
-      const one = control(parameter, this, text => { const wrong = api.set(parameter.name, text); this.changed(); return wrong; });
+      const one = control(parameter, text => { const wrong = api.set(parameter.name, text); this.changed(); return wrong; });
       this.controls.set(parameter.name, one);
       return one;
     };
@@ -94,19 +95,19 @@ class Stage extends HTMLElement {
     this.method = html('select', { onchange: () => this.useMethod() }, ...about.methods.map(m => html('option', { value: m }, m)));
     this.dt = html('select', { onchange: () => this.useMethod() });
     const copy = html('button', { type: 'button', onclick: async () => {
-      try { await navigator.clipboard.writeText('./course play ' + this.command()); copy.textContent = s('copied'); } catch { copy.textContent = './course play ' + this.command(); }
-    } }, s('copy the command'));
-    const full = html('button', { type: 'button', onclick: () => this.canvas.requestFullscreen?.() }, s('full screen'));
-    const swing = html('button', { type: 'button', onpointerdown: () => this.hold(16, true), onpointerup: () => this.hold(16, false), onpointerleave: () => this.hold(16, false) }, s('swing'));
+      try { await navigator.clipboard.writeText('./course play ' + this.command()); copy.textContent = say('copied'); } catch { copy.textContent = './course play ' + this.command(); }
+    } }, say('copy the command'));
+    const full = html('button', { type: 'button', onclick: () => this.canvas.requestFullscreen?.() }, say('full screen'));
+    const swing = html('button', { type: 'button', onpointerdown: () => this.hold(16, true), onpointerup: () => this.hold(16, false), onpointerleave: () => this.hold(16, false) }, say('swing'));
     const buttons = [this.play, button('◂', ',', 'step back'), button('▸', '.', 'step forward'), button('restart', 'r'), ...Object.values(this.toggles), ...(about.game ? [swing, button('next game', 'g'), full] : [])];
-    this.replaceChildren(this.canvas, html('p', { className: 'question' }, html('b', {}, about.title + '. '), about.game ? '' : about.question),
-      html('div', { className: 'buttons' }, ...buttons), ...(about.game ? [this.warning] : [
-        html('div', { className: 'row' }, html('span', {}, s('time')), this.scrub, this.clock), ...main.map(row),
-        html('label', { className: 'row' }, html('span', {}, s('method')), this.method, html('output')),
-        html('label', { className: 'row' }, html('span', {}, s('time step')), this.dt, html('output')), this.energy, this.facts, this.warning,
-        html('details', {}, html('summary', {}, s('more parameters')), ...rest.map(row), copy)]));
+    this.replaceChildren(this.canvas, html('p', { className: 'question' }, html('b', {}, say(about.title) + '. '), about.game ? '' : say(about.question)),
+      html('div', { className: 'buttons' }, ...buttons), this.help, ...(about.game ? [this.warning] : [
+        html('div', { className: 'row' }, html('span', {}, say('time')), this.scrub, this.clock), ...main.map(row),
+        html('label', { className: 'row' }, html('span', {}, say('method')), this.method, html('output')),
+        html('label', { className: 'row' }, html('span', {}, say('time step')), this.dt, html('output')), this.energy, this.facts, this.warning,
+        html('details', {}, html('summary', {}, say('more parameters')), ...rest.map(row), copy)]));
   }
-  useMethod() { this.warning.textContent = this.api.method(this.method.value, +this.dt.value); this.changed(); }
+  useMethod() { this.warning.textContent = say(this.api.method(this.method.value, +this.dt.value)); this.changed(); }
   command() { return JSON.parse(this.api.about()).command.replace(/^0?(\d+)\S*/, '$1'); }
 
   /** After what a reader did: the controls show what holds now, and the picture is drawn anew. */
@@ -124,22 +125,24 @@ class Stage extends HTMLElement {
   }
   /** Ten times a second at most: numbers beside the picture. */
   tell() {
-    const state = this.state = JSON.parse(this.api.state()), s = text => say(text, this);
+    const state = this.state = JSON.parse(this.api.state());
     const put = (element, text) => { if (element.textContent !== text) element.textContent = text; };
-    put(this.play, s(state.paused ? 'play' : 'pause')); this.play.setAttribute('aria-label', this.play.textContent);
+    put(this.play, say(state.paused ? 'play' : 'pause')); this.play.setAttribute('aria-label', this.play.textContent);
     for (const [name, button] of Object.entries(this.toggles)) button.setAttribute('aria-pressed', name === 'muted' ? !state.muted : state[name]);
-    put(this.warning, state.trouble ? '! ' + state.trouble : '');
+    put(this.warning, state.trouble ? '! ' + say(state.trouble) : '');
     if (this.about.game) return;
+    this.help.hidden = !state.help;
     this.scrub.min = state.earliest; this.scrub.max = Math.max(state.t, state.earliest + 1e-9); this.scrub.value = state.t;
     put(this.clock, state.t.toFixed(2) + ' s');
     for (const { name, number } of this.energies) put(number, short(state[name]) + ' J');
-    put(this.facts, [state.evaluations ? `${short(state.evaluations)} ${s('force evaluations a second')}` : s('by formula, without steps'),
-      state.off === null ? '' : `${s('off by')} ${short(state.off)} m`, state.rate === 1 ? '' : `${s('time runs at')} ${state.rate.toPrecision(2)}`].filter(Boolean).join(' · '));
+    put(this.facts, [state.evaluations ? say(`${short(state.evaluations)} force evaluations a second`) : say('by formula, without steps'),
+      state.off === null ? '' : say(`off by ${short(state.off)} m`), state.rate === 1 ? '' : say(`time runs at ${state.rate.toPrecision(2)}`)].filter(Boolean).join(' · '));
   }
 
   // ---- Keys and pointer. Keys count only while the picture has the focus.
   press(key, byPointer = false) {
     if (!this.api.press(key.charCodeAt())) return false;
+    if (key === 'n' && this.about.game) document.getElementById('theme')?.click(); // by night: the page's own switch
     if (byPointer && (key === 'p' || this.about.game)) this.canvas.focus({ preventScroll: true });
     this.changed();
     return true;
@@ -158,13 +161,16 @@ class Stage extends HTMLElement {
     canvas.onkeyup = event => { const bit = held[event.key.length === 1 ? event.key.toLowerCase() : event.key]; if (bit) this.hold(bit, false); };
     canvas.onblur = () => this.hold(~0, false);
     const point = (kind, event) => { // in pixels of the window, within the part that is there
-      const box = canvas.getBoundingClientRect(), x = (event.clientX - box.left) / box.width * this.wide, y = (event.clientY - box.top) / box.height * this.high;
+      const box = canvas.getBoundingClientRect(), share = Math.min(box.width / this.wide, box.height / this.high); // in full screen there is a margin
+      const x = (event.clientX - box.left - (box.width - this.wide * share) / 2) / share, y = (event.clientY - box.top - (box.height - this.high * share) / 2) / share;
       const part = this.parts.findLast(p => x >= p.x && y >= p.y && x <= p.x + p.from[2] * p.scale && y <= p.y + p.from[3] * p.scale) ?? this.parts[0];
       return this.api.pointer(kind, part.from[0] + (x - part.x) / part.scale, part.from[1] + (y - part.y) / part.scale);
     };
     canvas.style.touchAction = about.game ? 'none' : 'pan-y';
-    canvas.onpointermove = event => { point(0, event); if (!this.state.paused || this.used) this.wake(); };
-    canvas.onpointerdown = event => { // on a game a finger moves; a second one is the button, and so is a tap
+    const is_second = event => about.game && event.pointerType === 'touch' && !event.isPrimary; // on a game a finger moves; a second one is the button, and so is a tap
+    canvas.onpointermove = event => { if (is_second(event)) return; point(0, event); if (!this.state.paused || this.used) this.wake(); };
+    canvas.onpointerdown = event => {
+      if (is_second(event)) { this.hold(16, true); return; }
       if (event.isPrimary) this.since = [event.timeStamp, event.clientX, event.clientY];
       canvas.focus({ preventScroll: true });
       this.used = point(about.game && event.pointerType === 'touch' && event.isPrimary ? 0 : 1, event);
@@ -172,6 +178,7 @@ class Stage extends HTMLElement {
       this.changed();
     };
     canvas.onpointerup = canvas.onpointercancel = event => {
+      if (is_second(event)) { this.hold(16, false); return; }
       const [t, x, y] = this.since ?? [0, 0, 0];
       if (about.game && event.type === 'pointerup' && event.pointerType === 'touch' && event.isPrimary && event.timeStamp - t < 200 && Math.hypot(event.clientX - x, event.clientY - y) < 20) {
         this.hold(16, true);

@@ -1,20 +1,25 @@
-// What the figures say, by the language of the page. (What a parameter means comes from the C++, in English.)
-const said = {
-  ja: {
-    play: '再生', pause: '一時停止', restart: '最初から', 'step back': '一歩戻る', 'step forward': '一歩進む', slow: 'スロー', lens: '接触レンズ',
-    time: '時間', method: '計算法', 'time step': '時間刻み', forces: '力', exact: '厳密解', trail: '軌跡', 'from above': '真上から', errors: '誤差と計算量', 'every amplitude': 'すべての振幅', section: 'ポアンカレ断面',
-    energy: 'エネルギー', spring: 'ばね', motion: '運動', lost: '失われた分', sound: '音', help: 'キー一覧', 'full screen': '全画面', swing: '打つ', 'next game': '次の遊び方', 'more parameters': 'その他のパラメータ', 'copy the command': 'コマンドをコピー', copied: 'コピーしました',
-    'off by': '厳密解とのずれ', 'force evaluations a second': '力の計算 (毎秒)', 'by formula, without steps': '数式による (刻みなし)', 'time runs at': '時間の速さ',
-    'dashed: by formula': '破線: 数式による', height: '高さ', 'your bet': 'あなたの予想', answer: '答え', 'you are off by': '予想とのずれ', 'play and see': '再生して確かめる', 'bet again': '予想し直す',
-    'how far apart': '差', wanted: '目標', 'Set your bet, then play.': '予想を決めてから再生する。', 'pale: ': '淡い線: ', 'pale: the other ball': '淡い線: もう一つのボール',
-    'Drag the flag to your bet': '旗を予想の位置まで動かす', 'the height of the first top': '最初の頂点の高さ', 'the height of the third top': '三番目の頂点の高さ', 'the height of a top': '頂点の高さ',
-    'when the first touch begins': '最初に触れる時刻', 'where the fourth touch begins': '四回目に触れる位置', 'where the curve ends': '曲線の終わりの値', 'It does not come to that.': 'そこまで起こらない。',
-    mass: '質量', gravity: '重力加速度', position: '初期位置', velocity: '初速度', radius: '半径', stiffness: 'ばね定数', damping: '減衰係数', contact: '接触',
-    amplitude: '振幅', 'angular frequency': '角振動数', phase: '位相', normal: '法線', tilt: '傾き', scene: '場面', gap: '隙間', count: '個数',
-  },
-};
-export const say = (text, element) => said[(element.closest('[lang]')?.lang || 'en').slice(0, 2)]?.[text] ?? text;
-export const named = (name, element) => say(name.replaceAll('_', ' '), element);
+// Words of the figures, and elements of the page.
+const known = new Map(), patterns = []; // what the page's language says, if it is not English
+const escaped = text => text.replace(/[.+?^${}()|[\]\\]/g, '\\$&');
+
+/** Takes a table from English to another language (ja.js). A * stands for what is put in. */
+export function learn(table) {
+  for (const [english, other] of Object.entries(table)) {
+    if (english.includes('*')) patterns.push([new RegExp(`^${escaped(english).replaceAll('*', '(.+?)')}$`), other.split('*')]); else known.set(english, other);
+  }
+}
+/** The text in the language of the page; as it is, where no table has it. */
+export function say(text) {
+  if (!patterns.length || known.has(text)) return known.get(text) ?? text;
+  for (const [pattern, parts] of patterns) {
+    const found = text.match(pattern);
+    if (found) return parts.map((part, i) => part + (i < found.length - 1 ? say(found[i + 1]) : '')).join('');
+  }
+  const sentences = text.replace(/\. +(?=[A-Z])/g, '.\n').split('\n');
+  return sentences.length > 1 ? sentences.map(say).join(' ') : text;
+}
+/** A parameter's name, or one component of it: 'racket_velocity y'. */
+export const named = name => name.replaceAll('_', ' ').replace(/^(.+?)( [xyz])?$/, (whole, of, axis = '') => say(of) + axis);
 
 /** An element of the page: html('button', { onclick }, 'play'). What begins with aria- or is `role` becomes an attribute. */
 export function html(name, properties = {}, ...children) {
@@ -25,8 +30,8 @@ export function html(name, properties = {}, ...children) {
 }
 
 /** A slider for a parameter, or one for each component of it, or its choices. `set(text)` returns what is wrong, or ''. */
-export function control(parameter, element, set) {
-  const { name, unit, meaning, text, lowest, highest, whole, choices } = parameter, label = named(name, element);
+export function control(parameter, set) {
+  const { name, text, lowest, highest, whole, choices } = parameter, label = named(name), unit = say(parameter.unit), meaning = say(parameter.meaning);
   if (choices) {
     const select = html('select', { onchange: () => set(select.value), title: meaning }, ...choices.map(c => html('option', { value: c, selected: c === text }, c)));
     select.show = text => { select.value = text; };
@@ -36,17 +41,17 @@ export function control(parameter, element, set) {
   const value = x => { const v = log ? lowest * (highest / lowest) ** x : lowest + (highest - lowest) * x; return whole ? Math.round(v) : v; };
   const place = v => log ? Math.log(v / lowest) / Math.log(highest / lowest) : (v - lowest) / (highest - lowest);
   const out = html('output', {}), round = v => String(+(+v).toPrecision(4));
-  const say_ = text => { out.textContent = text.split(',').map(round).join(', ') + (unit ? ' ' + unit : ''); };
+  const show = text => { out.textContent = text.split(',').map(round).join(', ') + (unit ? ' ' + unit : ''); };
   const inputs = text.split(',').map((part, i, all) => html('input', { type: 'range', min: 0, max: 1, step: 'any', value: place(+part), title: meaning,
     'aria-label': label + (all.length > 1 ? ' ' + 'xyz'[i] : '') + ': ' + meaning, oninput: () => {
       const wanted = inputs.map(input => round(value(+input.value))).join(','), wrong = set(wanted);
-      if (wrong) out.textContent = wrong; else say_(wanted);
+      if (wrong) out.textContent = say(wrong); else show(wanted);
       inputs[i].setAttribute('aria-valuetext', out.textContent);
     } }));
-  say_(text);
+  show(text);
   const row = html('div', { className: 'row' }, html('span', { title: meaning }, label), html('span', { className: 'sliders' }, ...inputs), out);
   /** Moves the slider to another value without setting it. */
-  row.show = text => { if (!row.contains(document.activeElement)) { text.split(',').forEach((part, i) => { inputs[i].value = place(+part); }); say_(text); } };
+  row.show = text => { if (!row.contains(document.activeElement)) { text.split(',').forEach((part, i) => { inputs[i].value = place(+part); }); show(text); } };
   row.inputs = inputs; row.value = value; row.place = place;
   return row;
 }

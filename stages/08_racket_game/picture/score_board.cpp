@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/drawing.hpp"
+#include "app/keys.hpp"
 #include "app/palette.hpp"
 
 namespace bounce {
@@ -30,28 +31,34 @@ void draw_keys(Canvas& canvas, Rect area, const View& view) {
   if (!view.help) {
     const std::string line = "mouse or arrows: move    " + view.tilt_keys +
                              ": tilt    Space or button: swing    G: next mode    - +: assist    "
-                             "F1: all keys    Esc: quit";
+                             "F1: all keys" +
+                             (view.in_page ? "" : "    Esc: quit");
     if (canvas.text_width(line, TextSize::normal) > area.width - 24) return;  // on a phone
     draw_label(canvas, {area.x + 24, area.bottom() - 34}, line, palette::ink, Align::left,
                TextSize::normal);
     return;
   }
-  const std::array<std::array<std::string, 2>, 14> keys{
-      {{"mouse, arrows", "move the racket"},
-       {view.tilt_keys, "tilt it: left, right, away, towards you"},
-       {"Space, button", "swing upwards; after a loss any key plays on"},
-       {"G", "the next mode: keep it up, target, blind"},
-       {"- and +", "less and more help with the aim"},
-       {"P", "pause;  . and ,  one step forward and back"},
-       {"O, L", "slow motion; a contact that lasts a second"},
-       {"R", "restart"},
-       {"M, N", "sound on and off; dark and light"},
-       {"F12", "save a picture"},
-       {"controller", "sticks move and tilt; A or a trigger swings; Back: next mode"},
-       {"fingers", "one moves; a tap or a second one swings"},
-       {"--keys FILE", "other keys: a line 'J = A' lets J do what A does"},
-       {"F1, Esc", "this page; quit"}}};
-  const Rect page{area.width / 2 - 300, 110, 600, 440};
+  std::vector<Key> keys{{"mouse, arrows", "move the racket"},
+                        {view.tilt_keys.c_str(), "tilt it: left, right, away, towards you"},
+                        {"Space, button", "swing upwards; after a loss any key plays on"},
+                        {"G", "the next mode: keep it up, target, blind"},
+                        {"- and +", "less and more help with the aim"},
+                        {"P", "pause;  . and ,  one step forward and back"},
+                        {"O, L", "slow motion; a contact that lasts a second"},
+                        {"R", "restart"},
+                        {"M, N", "sound on and off; dark and light"},
+                        {"fingers", "one moves; a tap or a second one swings"}};
+  const std::vector<Key> of_window{
+      {"F12", "save a picture"},
+      {"controller", "sticks move and tilt; A or a trigger swings; Back: next mode"},
+      {"--keys FILE", "other keys: a line 'J = A' lets J do what A does"},
+      {"F1, Esc", "this page; quit"}};
+  if (view.in_page) {
+    keys.push_back({"F1", "this page"});
+  } else {
+    keys.insert(keys.end(), of_window.begin(), of_window.end());
+  }
+  const Rect page{area.width / 2 - 300, 110, 600, 34 + 29 * static_cast<float>(keys.size())};
   draw_rect(canvas, page, palette::paper.faded(0.95));
   draw_frame(canvas, page, palette::ink, 1);
   float y = page.y + 20;
@@ -119,7 +126,8 @@ void draw_loss(Canvas& canvas, const GameRun& run, const LossAgain& again, Rect 
   const bool narrow = area.width < 700;  // a phone: then there is no place beside the scene
   const float width = narrow ? area.width - 16 : 330;
   const std::vector<std::string> lines =
-      in_lines(canvas, again.is_on() ? again.sentence() : "", TextSize::normal, width - 32);
+      in_lines(canvas, again.is_on() ? canvas.in_its_language(again.sentence()) : "",
+               TextSize::normal, width - 32);
   const Rect plate{area.x + (narrow ? 8.0f : 24.0f), area.y + 96, width,
                    116 + 24 * static_cast<float>(lines.size())};
   draw_rect(canvas, plate, palette::paper.faded(0.92));
