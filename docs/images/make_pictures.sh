@@ -32,6 +32,8 @@ picture 05_tower.png "$scene" 05_ball_collision --set scene=tower --set gap=0.1 
 picture 05_drop.png "$scene" 05_ball_collision --set scene=drop --set count=1000 --duration 0.62
 picture 06_oscillating_floor.png "$energy" 06_oscillating_floor --method exact --duration 26.1
 picture 06_switch.png "$energy" 06_oscillating_floor --set floor_law=fixed-switch --dt 0.0001 --duration 0.385
+picture 07_first_hop.png "$scene" 07_tilted_plane --duration 0.95 --method exact \
+  --set damping=0 --set stiffness=1e6
 picture 07_tilted_plane.png "$scene" 07_tilted_plane --duration 2.95 --method exact \
   --set damping=0 --set stiffness=1e6
 picture 06_bifurcation.png null 06_oscillating_floor --sweep amplitude=0.05,0.09,800 \
