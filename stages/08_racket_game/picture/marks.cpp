@@ -15,21 +15,15 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// How far beside the disc the ball is: along the floor, from shadow to shadow, where the eye can
-/// judge it.
+/// How far beside the disc the ball is, at the disc's height: there the landing is marked, too.
 void draw_distance(Canvas& canvas, const Camera& camera, const Court& court) {
-  const auto on_floor = [&](Vector3d place) {
-    place.y() = court.game->floor_height() + 0.004;
-    return place;
-  };
-  const std::array<Vector3d, 2> line{on_floor(court.racket.disc.centre),
-                                     on_floor(court.ball.position)};
-  const double distance = (line[1] - line[0]).norm();
-  const Vector3d middle = (line[0] + line[1]) / 2;
-  if (distance < court.racket.disc.radius || !camera.sees(middle)) return;
-  draw_dashed_path(canvas, camera, line, palette::ink, 2);
-  draw_label(canvas, {camera.at(middle).x, camera.at(middle).y + 8}, with_unit(distance, "m"),
-             palette::ink, Align::centre);
+  const Vector3d centre = court.racket.disc.centre;
+  const Vector3d below(court.ball.position.x(), centre.y(), court.ball.position.z());
+  const double distance = (below - centre).norm();
+  if (distance < court.racket.disc.radius || !camera.sees(below)) return;
+  draw_dashed_path(canvas, camera, std::array{centre, below}, palette::ink, 2);
+  const Point end = camera.at(below);
+  draw_label(canvas, {end.x - 34, end.y - 8}, with_unit(distance, "m"), palette::ink, Align::right);
 }
 
 }  // namespace
@@ -119,7 +113,7 @@ void draw_arrows(Canvas& canvas, const Camera& camera, const Court& court, const
     }
     draw_label(canvas, {camera.at(at).x + 14, camera.at(at).y + 8}, "touch", palette::ink);
   }
-  if (court.game) draw_distance(canvas, camera, court);
+  draw_distance(canvas, camera, court);
   const Vector3d ball = now.ball.position, tip = ball + 0.15 * now.ball.velocity;
   arrow(ball, tip, palette::motion, Shaft::velocity);
   if (camera.sees(tip)) {
