@@ -43,7 +43,7 @@ concept WorldToRun = std::default_initializable<World> && std::copyable<World> &
 /// A run, made of parts: a world, a method that moves it, the clock (of Simulation), a truth to
 /// compare with, an energy book.
 template <WorldToRun World>
-class RunOf final : public Simulation {
+class RunOf : public Simulation {
  public:
   using Vector = typename World::Vector;
 
