@@ -21,6 +21,8 @@ std::string about_page(const Demo& demo, Simulation& simulation, Simulation& fre
   all.add("method", name_of(simulation.method())).add_text("methods", json::list(methods));
   all.add("by_events", simulation.method().goes_by_events);
   all.add("balls", static_cast<double>(simulation.balls()));
+  const std::string_view truth = simulation.traits().truth;
+  all.add("truth", std::string(truth.substr(0, truth.find(','))));
   all.add_text("columns", json::list(simulation.columns())).add_text("dials", json::list(dials));
   all.add_text("parameters", json::list(simulation.parameters()));
   all.add_text("sliders", json::list(demo.sliders));

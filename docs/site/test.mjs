@@ -302,6 +302,10 @@ check(await page.evaluate(() => { const { api } = document.querySelector('bounce
 await close(page);
 
 page = await open(1280, 'light', '05_ball_collision.html');
+await page.locator('bounce-stage').first().scrollIntoViewIfNeeded();
+await page.waitForFunction(() => document.querySelector('bounce-stage').ready, null, { timeout: 30000 });
+const truth = await page.evaluate(() => document.querySelector('bounce-stage').toggles.exact.textContent);
+check(truth === 'reference', `the button for what stage 5 is compared with says '${truth}', and there is no exact solution`);
 await page.evaluate(async () => { // 300 balls
   const { start } = await import('./live/module.js'), { penFor } = await import('./live/pen.js');
   const canvas = Object.assign(document.createElement('canvas'), { width: 840, height: 720 }), api = await start('05_ball_collision', '--set scene=drop --set count=300', penFor(canvas.getContext('2d')));

@@ -36,6 +36,9 @@ elif [ -n "$missing" ]; then
 elif here <<<"${error%%$'\n'*}" >/dev/null; then
   printf '  It does not compile yet. The first thing that the compiler does not understand:\n\n'
   show <<<"$error"
+  if grep -qE "(convert|conversion from) .*(Vector|Eigen::).* to '?double" <<<"$error"; then
+    printf '\n    A double holds one number, and this is a vector: write Vector in its place (in a scene: Eigen::Vector3d).\n'
+  fi
 elif line=$(here <<<"$text" | head -n 1) && [ -n "$line" ]; then
   # A template of the course, or of Eigen, that a line of the learner's uses.
   line=${line##*"$shown:"}

@@ -5,7 +5,7 @@ import { learn } from './words.js';
 learn({
   // Buttons and labels
   play: '再生', pause: '一時停止', restart: '最初から', 'step back': '一歩戻る', 'step forward': '一歩進む', slow: 'スロー', lens: '接触レンズ',
-  time: '時間', method: '解法', 'time step': '刻み幅', forces: '力', exact: '厳密解', trail: '軌跡', 'from above': '真上から', errors: '誤差と計算コスト', 'every amplitude': 'すべての振幅', section: 'ポアンカレ断面',
+  time: '時間', method: '解法', 'time step': '刻み幅', forces: '力', exact: '厳密解', reference: '参照解', trail: '軌跡', 'from above': '真上から', errors: '誤差と計算コスト', 'every amplitude': 'すべての振幅', section: 'ポアンカレ断面',
   energy: 'エネルギー', spring: 'ばね', motion: '運動', lost: '失われた分', sound: '音', help: 'キー一覧', 'full screen': '全画面', swing: '打つ', 'next game': '次の遊び方', 'more parameters': 'その他のパラメータ', 'copy the command': 'コマンドをコピー', copied: 'コピーしました',
   'off by *': '厳密解とのずれ *', '* force evaluations a second': '力の計算 毎秒 * 回', 'by formula, without steps': '数式による（刻みなし）', 'time runs at *': '時間の速さ *',
   'dashed: by formula': '破線：数式による', height: '高さ', 'your bet': '予想', wanted: '目標', answer: '答え', 'you are off by': '予想とのずれ', 'play and see': '再生して確かめる', 'bet again': '予想し直す',

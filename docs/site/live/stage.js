@@ -75,7 +75,7 @@ class Stage extends HTMLElement {
     const see = (what, text = what) => html('button', { type: 'button', onclick: () => { api.see(what, this.state[what] ? 0 : 1); this.changed(); } }, say(text));
     this.play = button('play', 'p'); this.play.className = 'play';
     this.toggles = about.game ? { muted: button('sound', 'm'), help: button('help', '?') } : {
-      slow: button('slow', 'o'), lens: button('lens', 'l'), forces: see('forces'), exact: see('exact'), trail: see('trail'),
+      slow: button('slow', 'o'), lens: button('lens', 'l'), forces: see('forces'), exact: see('exact', about.truth), trail: see('trail'),
       ...(about.space ? { above: button('from above', 't') } : {}), errors: button('errors', 'e'),
       ...(about.survey ? { survey: button(`every ${about.survey}`, 'b'), section: button('section', 'n') } : {}), help: button('help', '?') };
     this.scrub = html('input', { type: 'range', min: 0, max: 1, step: 'any', 'aria-label': say('time'), oninput: () => { api.go_back(+this.scrub.value); this.changed(); } });
