@@ -9,9 +9,11 @@
   // [force]
   // YOUR TURN 1 of 2: the force on the ball [N], a vector. (Lesson: "The idea")
   // You have: what stage 3 had, state.position and state.velocity as vectors with .x() .y() .z(),
-  // and `floor`: whether there is one. y is up.
+  // and `floor`: whether there is one. y is up. Eigen::Vector3d F(0, 0, 0); makes a vector (without
+  // the numbers it holds garbage), and F.y() += 1; changes one part of it.
   // Must hold: gravity acts along y and nowhere else. The floor, where there is one, is
-  // frictionless: spring and damper act along y, as in stage 3, with contact push_only too.
+  // frictionless: spring and damper act along y, as in stage 3. With contact ==
+  // ContactLaw::push_only the two together never pull.
   Eigen::Vector3d force(double /*t*/, [[maybe_unused]] const State<Eigen::Vector3d>& state) const {
     return {0, 0, 0};  // <- here
   }

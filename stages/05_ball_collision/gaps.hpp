@@ -11,9 +11,9 @@
 // You have: position [m], velocity [m/s] and radius [m] of both balls. `.norm()` is a vector's
 // length, `dot(a, b)` the dot product.
 // Must hold: overlap = r1 + r2 - d, where d is the distance of the centres. If it is not positive,
-// return with nothing else filled in. Else e12 has length 1 and points from ball 2 to ball 1, and
-// separation_speed is the part of v1 - v2 along it. Where the centres coincide (d = 0, or so small
-// that its square underflows: d <= 1e-100), e12 is (0, 1, 0).
+// `return {overlap};`. Else e12 has length 1 and points from ball 2 to ball 1, and separation_speed
+// is the part of v1 - v2 along it. Where the centres coincide (d <= 1e-100, which is as good as 0),
+// e12 is Eigen::Vector3d(0, 1, 0).
 inline Meeting meet([[maybe_unused]] const Ball& ball1, [[maybe_unused]] const Ball& ball2) {
   return {0};  // <- here
 }
@@ -22,8 +22,8 @@ inline Meeting meet([[maybe_unused]] const Ball& ball1, [[maybe_unused]] const B
 // [pair]
 // YOUR TURN 2 of 3: the force on ball 1 [N]; that on ball 2 is the opposite one.
 // (Lesson: "The idea")
-// You have: meet(ball1, ball2) from above, and contact.force(overlap, separation_speed) [N]: spring
-// and damper of stage 3, and 0 without overlap.
+// You have: meet(ball1, ball2) from above, and `contact`, which here is spring and damper in one:
+// contact.force(overlap, separation_speed) [N] is the push of stage 3, and 0 without overlap.
 // Must hold: it acts along e12, and it pushes ball 1 away from ball 2.
 inline Eigen::Vector3d pair_force([[maybe_unused]] const Ball& ball1,
                                   [[maybe_unused]] const Ball& ball2,
@@ -35,8 +35,9 @@ inline Eigen::Vector3d pair_force([[maybe_unused]] const Ball& ball1,
 // [acceleration]
 // YOUR TURN 3 of 3: the forces between all balls. Gravity and floor are there.
 // (Lesson: "The idea")
-// You have: for_each_pair, which comes here once for each pair, i < j; ball(state, i); from_ball,
-// the contact; force_.col(i) [N], a column for each ball.
+// You have: for_each_pair. The braces at its end are a small function, which it calls once for each
+// pair, with the numbers i < j of its two balls. In them: ball(state, i), from_ball (the contact),
+// and force_.col(i) [N], the force on ball i so far: += and -= change it.
 // Must hold: ball i gets pair_force(ball i, ball j, from_ball), and ball j the opposite one.
 inline const Eigen::Matrix3Xd& BallCollision::acceleration(double /*t*/,
                                                            const State<Matrix>& state) const {

@@ -21,10 +21,11 @@
 
   // [force]
   // YOUR TURN 2 of 3: the force on the ball [N]. (Lesson: "The idea")
-  // You have: what stage 3 had; floor_height(t) from above; touches and damped_velocity from below.
+  // You have: what stage 3 had (position and velocity are numbers again); floor_height(t) from
+  // above; touches and damped_velocity from below: gap 3, which is checked before this one.
   // Must hold: as in stage 3, seen from a floor that is at floor_height(t). The ball is in contact
   // while touches(y, floor); the overlap is measured from where the floor is; the damper brakes
-  // damped_velocity(t, v).
+  // damped_velocity(t, v). With contact == ContactLaw::push_only the two together never pull.
   double force([[maybe_unused]] double t, [[maybe_unused]] const State<double>& state) const {
     return 0;  // <- here
   }

@@ -11,7 +11,7 @@
   // (Lesson: "The idea")
   // You have: normal (a, b, c), of any length but zero, and offset d, of a x + b y + c z + d = 0.
   // Must hold: both sides of the equation are divided by the length of the normal, `normal.norm()`.
-  // (Plane::from_equation does that. Write it out once: return {the new normal, the new offset}.)
+  // Return {the new normal, the new offset}. The scene's own `normal` stays as it is.
   Plane plane() const {
     return {{0, 0, 0}, 0};  // <- here
   }
@@ -21,8 +21,9 @@
   // YOUR TURN 2 of 2: the force on the ball [N]. (Lesson: "The idea")
   // You have: what stage 4 had, and plane() from above: plane().normal and plane().offset.
   // Must hold: the distance of the ball's centre from the plane is n . p + d, negative behind it;
-  // its velocity away from the plane is n . v; and while distance < radius spring and damper push
-  // along n, frictionless. Gravity goes on acting along y.
+  // its velocity away from the plane is n . v, where a . b is dot(a, b). While distance < radius,
+  // spring and damper push along n, frictionless; with contact == ContactLaw::push_only the two
+  // together never pull. Gravity goes on acting along y.
   Eigen::Vector3d force(double /*t*/, [[maybe_unused]] const State<Eigen::Vector3d>& state) const {
     return {0, 0, 0};  // <- here
   }

@@ -8,11 +8,12 @@
 
   // [nearest]
   // YOUR TURN 1 of 2: is the ball on the disc, and where is it nearest? (Lesson: "The idea")
-  // You have: racket.centre [m], racket.normal, racket.radius [m]; racket.height(ball) [m], the way
-  // from the disc's plane to the ball along the normal; racket.outwards(ball) [m], the way from the
-  // centre along the disc to the point below the ball; `side`, 1 or -1: where the ball comes from.
+  // You have: racket.centre [m], racket.normal, racket.radius [m] (`radius` alone is the ball's);
+  // racket.height(ball) [m], a number: h in the lesson; racket.outwards(ball) [m], a vector along
+  // the disc, from its centre to the point below the ball: its .norm() is l in the lesson; `side`,
+  // 1 or -1: where the ball comes from.
   // Must hold: return {point, direction, distance}.
-  //   over the disc (shorter out than its radius): the point below the ball; the normal times side;
+  //   over the disc (l < racket.radius): the point below the ball; the normal times side;
   //     the height times side, which is negative when the centre is through the disc.
   //   beside it: the point of the rim that is nearest; from there to the ball, with length 1; and
   //     how far that is. For a ball exactly on the rim: the normal times side, and 0.
@@ -26,7 +27,8 @@
   // YOUR TURN 2 of 2: the force on the ball [N]. (Lesson: "The idea")
   // You have: what stage 7 had, disc_at(t), nearest(...) from above, and
   // racket.velocity_of(point) [m/s], how fast that point of the racket moves.
-  // Must hold: the law of stage 7 along the direction of nearest(), with the distance from there.
+  // Must hold: the law of stage 7 along the direction of nearest(), with the distance from there;
+  // the contact law is in it, too.
   // The damper brakes the ball's velocity relative to the point of the racket that it touches.
   Eigen::Vector3d force([[maybe_unused]] double t,
                         [[maybe_unused]] const State<Eigen::Vector3d>& state) const {

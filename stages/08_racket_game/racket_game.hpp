@@ -15,7 +15,7 @@ namespace bounce {
 /// Where a ball is nearest to the racket.
 struct NearestPoint {
   Eigen::Vector3d point;      // on the racket
-  Eigen::Vector3d direction;  // from there to the ball, unit length (but see beyond_rim)
+  Eigen::Vector3d direction;  // from there to the ball, of length 1
   double distance;            // m; negative when the ball's centre is through the disc
 };
 
@@ -99,6 +99,7 @@ struct Racket {
     through = false;
   }
 
+  /// Only the course's own nearest() asks for this: it is not part of the exercise.
   /// A ball whose centre was pressed through the disc, and that slides out over the rim: x > 0
   /// outwards from the rim, y < 0 up from the disc. Its nearest point is on the rim, but that is on
   /// its other side: the push would turn round at once, from up to down. This one turns evenly,
