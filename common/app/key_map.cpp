@@ -28,7 +28,7 @@ void KeyMap::read(const std::string& path) {
   InputFile file("--keys", path, "it must be a text file with lines such as 'J = A'");
   while (file.next_line()) {
     if (file.line().empty() || file.line()[0] == '#') continue;
-    const std::vector<std::string> words = file.words('=');
+    const std::vector<std::string> words = split(file.line(), '=');
     if (words.size() != 2) file.refuse_line("it must be two keys and a '='");
     const SDL_Scancode key = key_named(file, words[0]);
     other_[key] = key_named(file, words[1]);

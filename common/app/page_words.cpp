@@ -1,15 +1,6 @@
 #include "app/page_words.hpp"
 
 namespace bounce {
-namespace {
-
-double number(const std::string& option, const std::string& text, Range valid) {
-  const std::optional<double> value = parse_number(text);
-  if (value && valid.contains(*value)) return *value;
-  throw BadInput(option + " '" + text + "' is not allowed: it must be " + number_in(valid, ""));
-}
-
-}  // namespace
 
 std::unique_ptr<Simulation> set_up(int argc, const char* const* argv, const Demo& demo) {
   std::unique_ptr<Simulation> simulation = demo.make();
@@ -33,9 +24,10 @@ std::unique_ptr<Simulation> set_up(int argc, const char* const* argv, const Demo
   set_parameters(settings, *simulation);
   for (const auto& [option, value] : words) {
     if (option == "--method") simulation->use_method(find_method(value, simulation->methods()));
-    if (option == "--dt") simulation->use_dt(number(option, value, Simulation::valid_dt));
+    if (option == "--dt") simulation->use_dt(option_number(option, value, Simulation::valid_dt));
     if (option == "--seed") {
-      simulation->use_seed(static_cast<std::uint64_t>(number(option, value, {0, 1e15})));
+      simulation->use_seed(
+          static_cast<std::uint64_t>(option_number(option, value, {0, 1e15}, "", true)));
     }
   }
   simulation->restart();

@@ -94,8 +94,6 @@ void Playback::move_to(double t) {
                step_warning(*simulation_);
   } catch (const TimeStandsStill& error) {
     trouble_ = std::string(error.what()) + " at t = " + to_rounded_text(error.t) + " s.";
-  } catch (const NoClosedForm& error) {
-    trouble_ = std::string(error.what()) + " at t = " + to_rounded_text(error.t) + " s.";
   } catch (const BadInput& error) {
     refuse(error.what());
   }

@@ -10,6 +10,12 @@ std::string number_in(Range valid, const std::string& unit, bool is_whole) {
          " to " + to_text(valid.highest) + (unit.empty() ? "" : " (" + unit + ")");
 }
 
+std::optional<double> parse_number_in(std::string_view text, Range valid, bool is_whole) {
+  const std::optional<double> value = parse_number(text);
+  const bool fits = value && valid.contains(*value) && !(is_whole && *value != std::floor(*value));
+  return fits ? value : std::nullopt;
+}
+
 std::string Parameter::text() const {
   if (const auto* number = std::get_if<double*>(&value)) return to_text(**number);
   if (const auto* vector = std::get_if<Components>(&value)) return to_text(*vector);

@@ -22,6 +22,9 @@ struct Range {
 /// What a number must be, in words: "a whole number from 1 to 9", "a number from 0 to 1 (s)".
 std::string number_in(Range valid, const std::string& unit = "", bool is_whole = false);
 
+/// The text as such a number; nothing where it is none.
+std::optional<double> parse_number_in(std::string_view text, Range valid, bool is_whole = false);
+
 /// One of a few named values, such as contact = may-pull | push-only.
 struct Choice {
   std::vector<std::string> names;

@@ -66,7 +66,7 @@ void ErrorChart::start_anew(const Simulation& simulation) {
   trouble_.clear();
   dots_.clear();
   others_.clear();
-  waiting_.clear();
+  begun_ = 0;
   own_.reset();
   run_.reset();
   start_ = simulation.clone();
@@ -104,7 +104,6 @@ void ErrorChart::choose_steps() {
       if (!method.goes_by_events) others_.push_back({method, dt});
     }
   }
-  waiting_.assign(others_.begin(), others_.end());
 }
 
 bool ErrorChart::is_affordable(double dt) const {
@@ -126,8 +125,7 @@ void ErrorChart::work(double seconds) {
 
 void ErrorChart::begin_next() {
   const bool own = wants_own();
-  run_ = Run{own ? *now_ : waiting_.front(), own, start_->clone()};
-  if (!own) waiting_.pop_front();
+  run_ = Run{own ? *now_ : others_[begun_++], own, start_->clone()};
   run_->simulation->use_method(run_->choice.method);
   run_->simulation->use_dt(run_->choice.dt);
   run_->simulation->restart();

@@ -1,6 +1,5 @@
 #pragma once
 #include <cstddef>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,7 +26,7 @@ class ErrorChart {
   void follow(const Simulation& simulation, int patience = 15);
   /// Computes for about so long [s].
   void work(double seconds);
-  bool is_done() const { return waiting_.empty() && !run_ && !wants_own(); }
+  bool is_done() const { return begun_ == others_.size() && !run_ && !wants_own(); }
 
   const std::vector<Dot>& dots() const { return dots_; }  // those that are ready
   /// What the simulation's own method and time step give; nothing while that is not known.
@@ -66,7 +65,7 @@ class ErrorChart {
   std::unique_ptr<Simulation> start_;
   double duration_ = 0;
   std::vector<Choice> others_;  // all that shall be run, besides the simulation's own
-  std::deque<Choice> waiting_;  // those that have not been
+  std::size_t begun_ = 0;       // so many of them
   std::optional<Run> run_;
   std::vector<Dot> dots_;
   std::optional<Choice> now_;  // the simulation's own

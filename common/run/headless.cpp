@@ -6,7 +6,6 @@
 #include <iostream>
 #include <optional>
 
-#include "physics/events/event_driven.hpp"
 #include "run/interrupt.hpp"
 #include "run/output_file.hpp"
 #include "run/progress.hpp"
@@ -209,10 +208,6 @@ int guarded(const StageName& stage, const Simulation& simulation,
   } catch (const TimeStandsStill& error) {
     say(std::string(error.what()) + " at t = " + to_rounded_text(error.t, 6) +
         " s: " + error.advice);
-    return exit_physics;
-  } catch (const NoClosedForm& error) {
-    say(std::string(error.what()) + " at t = " + to_rounded_text(error.t, 6) +
-        " s: take a stepping method, such as --method semi-implicit-euler");
     return exit_physics;
   } catch (const std::exception& error) {
     say(std::string("stopped: ") + error.what());

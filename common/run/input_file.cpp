@@ -1,6 +1,5 @@
 #include "run/input_file.hpp"
 
-#include <cmath>
 #include <filesystem>
 
 #include "physics/text.hpp"
@@ -42,24 +41,11 @@ std::string InputFile::whole() {
   return text;
 }
 
-std::vector<std::string> InputFile::words(char separator) const { return split(line_, separator); }
-
 double InputFile::number(const std::string& name, std::string_view word, Range valid,
-                         const std::string& unit) const {
-  const std::optional<double> value = parse_number(word);
-  if (value && valid.contains(*value)) return *value;
+                         const std::string& unit, bool is_whole) const {
+  if (const auto value = parse_number_in(word, valid, is_whole)) return *value;
   refuse_line(name + ": '" + std::string(word.substr(0, 40)) + "' must be " +
-              number_in(valid, unit));
-}
-
-long long InputFile::whole_number(const std::string& name, std::string_view word,
-                                  Range valid) const {
-  const std::optional<double> value = parse_number(word);
-  if (value && valid.contains(*value) && *value == std::floor(*value)) {
-    return static_cast<long long>(*value);
-  }
-  refuse_line(name + ": '" + std::string(word.substr(0, 40)) + "' must be " +
-              number_in(valid, "", true));
+              number_in(valid, unit, is_whole));
 }
 
 void InputFile::refuse(const std::string& why) const {

@@ -2,7 +2,6 @@
 #include <fstream>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "physics/parameters.hpp"
 
@@ -23,14 +22,13 @@ class InputFile {
   /// The whole of a file on a disk, as it stands there.
   std::string whole();
 
-  /// The words of the line between separators, without the blanks around them.
-  std::vector<std::string> words(char separator) const;
-
   /// A word as a number. What is none, or is not in the range, is refused: "column mass: '-1' must
   /// be a number from 1e-30 to 1e+30 (kg)".
   double number(const std::string& name, std::string_view word, Range valid,
-                const std::string& unit = "") const;
-  long long whole_number(const std::string& name, std::string_view word, Range valid) const;
+                const std::string& unit = "", bool is_whole = false) const;
+  long long whole_number(const std::string& name, std::string_view word, Range valid) const {
+    return static_cast<long long>(number(name, word, valid, "", true));
+  }
 
   [[noreturn]] void refuse(const std::string& why) const;       // the file
   [[noreturn]] void refuse_line(const std::string& why) const;  // "line 3: ..."

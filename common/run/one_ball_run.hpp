@@ -98,7 +98,28 @@ struct OneBallWorld {
   void place(double /*t*/, const Ball& /*ball*/) {}
 
   template <class Any>
-  void take_steps(Any& method, Ball& ball, long long count, double t, double dt, EnergyBook& book);
+  void take_steps(Any& method, Ball& ball, long long count, double t, double dt, EnergyBook& book) {
+    // Local copies can live in registers, and what follows from the scene alone is computed once.
+    const Scene law = scene;
+    Ball now = ball;
+    const auto time_of = [&](long long i) { return t + static_cast<double>(i) * dt; };
+    for (long long i = 0; i < count; ++i) {
+      const double from = time_of(i);
+      const Ball before = now;
+      if constexpr (requires { method.step_to(dt, from, now); }) {
+        if constexpr (requires { method.steps_to_skip(from, dt, count); }) {
+          // Whole steps of flight at a stroke; the energy book wants them one by one.
+          if (!book.is_kept) i += method.steps_to_skip(from, dt, count - 1 - i);
+        }
+        method.step_to(time_of(i + 1), from, now);
+      } else {
+        method(law, from, now, dt);
+      }
+      if (book.is_kept) note(book, from, before, now, dt);
+    }
+    ball = now;
+  }
+
   template <class Any>
   double go_towards(Any& method, double t, long long most_events, Ball& ball) const {
     return method.go_towards(t, most_events, ball);
@@ -116,75 +137,45 @@ struct OneBallWorld {
   }
 
  private:
-  std::optional<ContactNumbers> contact_numbers() const;
-  void note(EnergyBook& book, double t, const Ball& before, const Ball& after, double dt) const;
+  std::optional<ContactNumbers> contact_numbers() const {
+    if constexpr (requires { scene.floor; }) {
+      if (!scene.floor) return std::nullopt;
+    }
+    if constexpr (requires { scene.stiffness; }) {
+      double c = 0;
+      ContactLaw law{};
+      if constexpr (requires { scene.damping; }) c = scene.damping;
+      if constexpr (requires { scene.contact; }) law = scene.contact;
+      return ContactNumbers{natural_frequency(scene.stiffness, scene.mass),
+                            damping_ratio(scene.stiffness, c, scene.mass), law};
+    }
+    return std::nullopt;
+  }
+
+  /// The damper's work over one step, and the moving floor's, by the midpoint rule. A moving floor
+  /// gives and takes all the time, so that the book opens anew with every touch.
+  void note(EnergyBook& book, double t, const Ball& before, const Ball& after, double dt) const {
+    if constexpr (floor_moves) {
+      const Energy energy_then = energy(t, before);
+      if (energy_then.spring == 0 && energy(t + dt, after).spring > 0)
+        book.open(energy_then.total());
+    }
+    if constexpr (requires { scene.damping; }) {
+      const Ball middle{(before.position + after.position) / 2,
+                        (before.velocity + after.velocity) / 2};
+      const Forces<Vector> forces = forces_of(scene, t + dt / 2, middle);
+      Vector floor_velocity = 0 * middle.velocity;
+      if constexpr (floor_moves) {
+        floor_velocity = scene.floor_speed(t + dt / 2);
+        book.before += (forces.spring + forces.damper) * floor_velocity * dt;
+      }
+      book.lost -= dot(forces.damper, Vector(middle.velocity - floor_velocity)) * dt;
+    }
+  }
 };
 
 /// A scene of one ball as a simulation.
 template <class Scene, class Phases>
 using OneBallRun = RunOf<OneBallWorld<Scene, Phases>>;
-
-template <class Scene, class Phases>
-template <class Any>
-void OneBallWorld<Scene, Phases>::take_steps(Any& method, Ball& ball, long long count, double t,
-                                             double dt, EnergyBook& book) {
-  // Local copies can live in registers, and what follows from the scene alone is computed once.
-  const Scene law = scene;
-  Ball now = ball;
-  const auto time_of = [&](long long i) { return t + static_cast<double>(i) * dt; };
-  for (long long i = 0; i < count; ++i) {
-    const double from = time_of(i);
-    const Ball before = now;
-    if constexpr (requires { method.step_to(dt, from, now); }) {
-      if constexpr (requires { method.steps_to_skip(from, dt, count); }) {
-        // Whole steps of flight at a stroke; the energy book wants them one by one.
-        if (!book.is_kept) i += method.steps_to_skip(from, dt, count - 1 - i);
-      }
-      method.step_to(time_of(i + 1), from, now);
-    } else {
-      method(law, from, now, dt);
-    }
-    if (book.is_kept) note(book, from, before, now, dt);
-  }
-  ball = now;
-}
-
-template <class Scene, class Phases>
-std::optional<ContactNumbers> OneBallWorld<Scene, Phases>::contact_numbers() const {
-  if constexpr (requires { scene.floor; }) {
-    if (!scene.floor) return std::nullopt;
-  }
-  if constexpr (requires { scene.stiffness; }) {
-    double c = 0;
-    ContactLaw law{};
-    if constexpr (requires { scene.damping; }) c = scene.damping;
-    if constexpr (requires { scene.contact; }) law = scene.contact;
-    return ContactNumbers{natural_frequency(scene.stiffness, scene.mass),
-                          damping_ratio(scene.stiffness, c, scene.mass), law};
-  }
-  return std::nullopt;
-}
-
-/// The damper's work over one step, and the moving floor's, by the midpoint rule. A moving floor
-/// gives and takes all the time, so that the book opens anew with every touch.
-template <class Scene, class Phases>
-void OneBallWorld<Scene, Phases>::note(EnergyBook& book, double t, const Ball& before,
-                                       const Ball& after, double dt) const {
-  if constexpr (floor_moves) {
-    const Energy energy_then = energy(t, before);
-    if (energy_then.spring == 0 && energy(t + dt, after).spring > 0) book.open(energy_then.total());
-  }
-  if constexpr (requires { scene.damping; }) {
-    const Ball middle{(before.position + after.position) / 2,
-                      (before.velocity + after.velocity) / 2};
-    const Forces<Vector> forces = forces_of(scene, t + dt / 2, middle);
-    Vector floor_velocity = 0 * middle.velocity;
-    if constexpr (floor_moves) {
-      floor_velocity = scene.floor_speed(t + dt / 2);
-      book.before += (forces.spring + forces.damper) * floor_velocity * dt;
-    }
-    book.lost -= dot(forces.damper, Vector(middle.velocity - floor_velocity)) * dt;
-  }
-}
 
 }  // namespace bounce

@@ -16,12 +16,6 @@ namespace {
 constexpr double most_steps = 1e11;
 constexpr double most_rows = 1e8;
 
-double number(const std::string& option, const std::string& text, Range valid, const char* unit) {
-  const std::optional<double> value = parse_number(text);
-  if (value && valid.contains(*value)) return *value;
-  throw BadInput(option + " '" + text + "' is not allowed: it must be " + number_in(valid, unit));
-}
-
 void apply_stage_options(const std::vector<StageOption>& of_stage, const Words& words,
                          const Options& options, std::unique_ptr<Simulation>& simulation) {
   for (const StageOption& option : of_stage) {
@@ -40,16 +34,9 @@ void apply_stage_options(const std::vector<StageOption>& of_stage, const Words& 
   }
 }
 
-std::uint64_t seed_from(const std::string& text) {
-  const double seed = number("--seed", text, {0, 1e15}, "");
-  if (seed == std::floor(seed)) return static_cast<std::uint64_t>(seed);
-  throw BadInput("--seed '" + text + "' is not allowed: it must be a whole number");
-}
-
 double step_from(const std::string& text, const Simulation& simulation) {
   if (text != "auto") {
-    const std::optional<double> value = parse_number(text);
-    if (value && Simulation::valid_dt.contains(*value)) return *value;
+    if (const auto value = parse_number_in(text, Simulation::valid_dt)) return *value;
     throw BadInput("--dt '" + text + "' is not allowed: it must be " +
                    number_in(Simulation::valid_dt, "s") + ", or auto");
   }
@@ -58,13 +45,14 @@ double step_from(const std::string& text, const Simulation& simulation) {
 }
 
 void read_times(const Words& words, Options& options, double start) {
-  if (words.duration) options.duration = number("--duration", *words.duration, {1e-15, 1e15}, "s");
+  if (words.duration)
+    options.duration = option_number("--duration", *words.duration, {1e-15, 1e15}, "s");
   if (options.duration <= start) {
     throw BadInput("--duration " + to_text(options.duration) +
                    " is not allowed: the saved run stands at " + to_text(start) +
                    " s, and the duration counts from 0");
   }
-  if (words.sample) options.sample = number("--sample", *words.sample, {1e-15, 1e15}, "s");
+  if (words.sample) options.sample = option_number("--sample", *words.sample, {1e-15, 1e15}, "s");
   if (words.at) {
     if (options.sample > 0)
       throw BadInput("--at and --sample exclude each other: give one of them");
@@ -75,7 +63,8 @@ void read_times(const Words& words, Options& options, double start) {
       if (asked <= options.duration * (1 + 1e-15)) {
         options.duration = std::max(options.duration, asked);
       }
-      options.at.push_back(number("--at", text, {start, options.duration}, "s, the --duration"));
+      options.at.push_back(
+          option_number("--at", text, {start, options.duration}, "s, the --duration"));
     }
     if (times.size() == 2 && words.at->find('.') == std::string::npos) {  // a comma decimal?
       std::cerr << "--at " << *words.at << " is two times, " << times[0] << " s and " << times[1]
@@ -112,6 +101,13 @@ void check_size(const Options& options, const Simulation& simulation) {
 }
 
 }  // namespace
+
+double option_number(const std::string& option, const std::string& text, Range valid,
+                     const std::string& unit, bool is_whole) {
+  if (const auto value = parse_number_in(text, valid, is_whole)) return *value;
+  throw BadInput(option + " '" + text + "' is not allowed: it must be " +
+                 number_in(valid, unit, is_whole));
+}
 
 void set_parameters(const std::vector<std::string>& settings, Simulation& simulation) {
   const std::vector<Parameter> parameters = simulation.parameters();
@@ -164,7 +160,10 @@ bool parse_command_line(int argc, const char* const* argv, const StageName& stag
   apply_stage_options(of_stage, words, options, chosen);
   if (!options.load.empty()) apply_saved_options(options.load, of_stage, chosen);
   Simulation& simulation = *chosen;
-  if (words.seed) options.seed = seed_from(*words.seed);
+  if (words.seed) {
+    options.seed =
+        static_cast<std::uint64_t>(option_number("--seed", *words.seed, {0, 1e15}, "", true));
+  }
   simulation.use_seed(options.seed);
   set_parameters(words.set, simulation);
   if (words.method) {
@@ -173,7 +172,7 @@ bool parse_command_line(int argc, const char* const* argv, const StageName& stag
   if (words.dt) simulation.use_dt(step_from(*words.dt, simulation));
   if (words.tolerance) {
     simulation.use_tolerance(
-        number("--tolerance", *words.tolerance, Simulation::valid_tolerance, ""));
+        option_number("--tolerance", *words.tolerance, Simulation::valid_tolerance));
   }
   simulation.restart();
   if (!options.load.empty()) {

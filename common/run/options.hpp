@@ -66,6 +66,10 @@ bool parse_command_line(int argc, const char* const* argv, const StageName& stag
                         std::unique_ptr<Simulation>& simulation, Options& options,
                         const std::vector<StageOption>& of_stage = {});
 
+/// What an option was given, as a number. Throws BadInput.
+double option_number(const std::string& option, const std::string& text, Range valid,
+                     const std::string& unit = "", bool is_whole = false);
+
 /// What follows each --set: "mass=2". First those that choose the others' defaults, wherever they
 /// stand. Throws BadInput.
 void set_parameters(const std::vector<std::string>& settings, Simulation& simulation);

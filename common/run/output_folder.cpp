@@ -3,7 +3,6 @@
 #include <system_error>
 
 #include "physics/text.hpp"
-#include "run/file_name.hpp"
 #include "run/output_file.hpp"
 
 namespace bounce {

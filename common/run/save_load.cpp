@@ -70,8 +70,8 @@ double number_of(const std::string& path, const Lines& lines, const std::string&
                  bool is_whole = false) {
   const auto found = lines.find(name);
   const std::optional<double> value =
-      found == lines.end() ? std::nullopt : parse_number(found->second);
-  if (value && valid.contains(*value) && !(is_whole && *value != std::floor(*value))) return *value;
+      found == lines.end() ? std::nullopt : parse_number_in(found->second, valid, is_whole);
+  if (value) return *value;
   refuse(path, "its " + name +
                    (found == lines.end() ? " is missing" : " is '" + found->second + "'") +
                    ", and it must be " + number_in(valid, "", is_whole));

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "05_ball_collision/scenes/scenes.hpp"
-#include "physics/parameters.hpp"
 #include "run/input_file.hpp"
 
 namespace bounce {
@@ -68,7 +67,7 @@ class BallsFile {
           if (line.find(',') == line.npos && line.find(other) != line.npos) separator_ = other;
         }
       }
-      words_ = file_.words(separator_);
+      words_ = split(line, separator_);
       while (!words_.empty() && words_.back().empty() && words_.size() > width_) words_.pop_back();
       const auto is_empty = [](const std::string& word) { return word.empty(); };
       if (!std::all_of(words_.begin(), words_.end(), is_empty)) return true;

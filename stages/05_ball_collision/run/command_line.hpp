@@ -4,7 +4,6 @@
 #include "05_ball_collision/files/balls_file.hpp"
 #include "05_ball_collision/files/lammps_exchange.hpp"
 #include "05_ball_collision/run/balls_world.hpp"
-#include "run/options.hpp"
 
 namespace bounce {
 
@@ -14,12 +13,8 @@ inline std::vector<StageOption> ball_collision_options() {
     run_as<BallsRun>(*simulation).world().use_balls(BallsFile(path).read(), path);
   };
   const auto threads = [](std::unique_ptr<Simulation>& simulation, const std::string& text) {
-    const std::optional<double> number = parse_number(text);
-    if (!number || *number != std::floor(*number) || *number < 1 || *number > 1024) {
-      throw BadInput("--threads '" + text +
-                     "' is not allowed: it must be a whole number from 1 to 1024");
-    }
-    run_as<BallsRun>(*simulation).world().threads = static_cast<int>(*number);
+    const double number = option_number("--threads", text, {1, 1024}, "", true);
+    run_as<BallsRun>(*simulation).world().threads = static_cast<int>(number);
   };
   const auto import = [](Simulation& simulation, const std::string& path) {
     import_lammps(simulation, path);

@@ -1,7 +1,6 @@
 #pragma once
 #include <algorithm>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,7 +8,6 @@
 #include "08_racket_game/game/input_log.hpp"
 #include "08_racket_game/game/round.hpp"
 #include "run/any_method.hpp"
-#include "run/simulation.hpp"
 #include "run/whose_lines.hpp"
 
 namespace bounce {
@@ -60,17 +58,12 @@ class GameRun final : public Simulation {
   long long counted_force_evaluations() const override {
     return more_pieces_ * method().evaluations + method_.counted_evaluations();
   }
-  std::vector<double> exact_values(double) const override { return {}; }
-  std::optional<StateError> error() const override { return std::nullopt; }
   void place(const std::vector<double>& values) override;
   void parameters_changed() override;
-  double next_event() const override { return never; }
 
  protected:
   void reset_state() override;
-  void compare_from_here() override {}
   bool take_steps(long long count, double t, double dt) override;
-  double go_by_events_towards(double t, long long) override { return t; }
   std::vector<double> numbers() const override;
   std::string recall_numbers(const std::vector<double>& all) override;
 
