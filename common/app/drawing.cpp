@@ -43,6 +43,10 @@ void draw_arrow(Canvas& canvas, Point from, Point to, Colour colour, Shaft shaft
   }
 }
 
+void draw_line(Canvas& canvas, Point from, Point to, Colour colour, float width) {
+  canvas.line(std::array{from, to}, colour, width);
+}
+
 void draw_dashed(Canvas& canvas, std::span<const Point> points, Colour colour, float width) {
   constexpr float dash = 6, gap = 4;
   float along = 0;  // of the pattern
@@ -52,9 +56,8 @@ void draw_dashed(Canvas& canvas, std::span<const Point> points, Colour colour, f
       const bool on = along < dash;
       const float step = std::min(length - done, (on ? dash : dash + gap) - along);
       if (on) {
-        const std::array<Point, 2> piece{between(points[i], points[i + 1], done / length),
-                                         between(points[i], points[i + 1], (done + step) / length)};
-        canvas.line(piece, colour, width);
+        draw_line(canvas, between(points[i], points[i + 1], done / length),
+                  between(points[i], points[i + 1], (done + step) / length), colour, width);
       }
       done += std::max(step, 1e-3f);
       along += step;
@@ -100,11 +103,9 @@ void draw_ball(Canvas& canvas, Point centre, float radius) {
 }
 
 void draw_ground(Canvas& canvas, float left, float right, float y) {
-  const std::array<Point, 2> line{{{left, y}, {right, y}}};
-  canvas.line(line, palette::ink, 2);
+  draw_line(canvas, {left, y}, {right, y}, palette::ink, 2);
   for (float x = left + 8; x < right; x += 12) {
-    const std::array<Point, 2> hatch{{{x, y + 1}, {x - 8, y + 9}}};
-    canvas.line(hatch, palette::ink.faded(0.45), 1);
+    draw_line(canvas, {x, y + 1}, {x - 8, y + 9}, palette::ink.faded(0.45), 1);
   }
 }
 

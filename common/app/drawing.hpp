@@ -22,6 +22,7 @@ struct SideCamera {
 enum class Shaft { force, velocity };  // thin; fat with an outline: told apart without colour
 
 void draw_arrow(Canvas& canvas, Point from, Point to, Colour colour, Shaft shaft = Shaft::force);
+void draw_line(Canvas& canvas, Point from, Point to, Colour colour, float width);
 void draw_dashed(Canvas& canvas, std::span<const Point> points, Colour colour, float width);
 void draw_dashed_circle(Canvas& canvas, Point centre, float radius, Colour colour, float width);
 void draw_rect(Canvas& canvas, Rect area, Colour colour);

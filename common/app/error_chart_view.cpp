@@ -93,14 +93,12 @@ void draw_grid(Canvas& canvas, const Axes& axes) {
   const int step = axes.right - axes.left > 9 ? 4 : 2;
   for (int power = axes.right; power >= axes.left; power -= step) {
     const float x = axes.at({methods::exact, 0, 1, std::pow(10, power)}).x;
-    const std::array<Point, 2> line{{{x, axes.box.y}, {x, axes.box.bottom()}}};
-    canvas.line(line, palette::grid_major, 1);
+    draw_line(canvas, {x, axes.box.y}, {x, axes.box.bottom()}, palette::grid_major, 1);
     power_of_ten(canvas, {x, axes.box.bottom() + 4}, power, Align::centre);
   }
   for (int power = axes.bottom; power <= axes.top; ++power) {
     const float y = axes.at({methods::exact, 0, std::pow(10, power), 1}).y;
-    const std::array<Point, 2> line{{{axes.box.x, y}, {axes.box.right(), y}}};
-    canvas.line(line, palette::grid_major, 1);
+    draw_line(canvas, {axes.box.x, y}, {axes.box.right(), y}, palette::grid_major, 1);
     power_of_ten(canvas, {axes.box.x - 6, y - 8}, power, Align::right);
   }
 }

@@ -30,13 +30,9 @@ std::string quoted(const std::string& word) {
 }
 #endif
 
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 bool is_gif(const std::string& path) {
-  if (ends_with(path, ".gif")) return true;
-  if (ends_with(path, ".mp4")) return false;
+  if (path.ends_with(".gif")) return true;
+  if (path.ends_with(".mp4")) return false;
   throw BadInput("--record '" + path + "' is not allowed: it must end in .gif or .mp4");
 }
 

@@ -1,6 +1,5 @@
 // What the playback remembers: the trace for the pictures, and copies of the run to go back to.
 #include <algorithm>
-#include <cmath>
 
 #include "app/playback.hpp"
 

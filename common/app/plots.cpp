@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/diagram.hpp"
 #include "app/drawing.hpp"
 #include "app/palette.hpp"
 
@@ -24,20 +25,13 @@ double outward(double value) {
   return std::copysign(10 * power, value);
 }
 
-std::string tick_text(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
-
 }  // namespace
 
 void PlotView::draw(Canvas& canvas, Rect area, const Plot& plot, const Playback& playback) {
   const double now = playback.shown_time();
   if (now < last_time_) top_ = bottom_ = 0;
   last_time_ = now;
-  const double from = std::max(0.0, now - window_length), to = from + window_length;
-  const Rect box{area.x + 56, area.y + 26, area.width - 56 - 72, area.height - 26 - 26};
+  const double from = std::max(0.0, now - window_length);
 
   std::vector<const TracePoint*> points;
   std::vector<double> values;
@@ -52,39 +46,25 @@ void PlotView::draw(Canvas& canvas, Rect area, const Plot& plot, const Playback&
     if (value > top_) top_ = outward(value);
     if (value < bottom_) bottom_ = outward(value);
   }
-  const double top = top_ == bottom_ ? 1 : top_, bottom = bottom_;
-  const auto at = [&](double t, double value) {
-    return Point{box.x + static_cast<float>((t - from) / (to - from)) * box.width,
-                 box.bottom() - static_cast<float>((value - bottom) / (top - bottom)) * box.height};
-  };
+  const Diagram diagram{
+      plot_box(area, 72), {from, from + window_length}, {bottom_, top_ == bottom_ ? 1 : top_}};
+  const Rect& box = diagram.box;
 
-  canvas.text({box.x, area.y + 6}, plot.title, palette::ink, Align::left, TextSize::normal);
+  diagram.draw(canvas, plot.title, 4, 3, " s");
   canvas.text({box.x + canvas.text_width(plot.title, TextSize::normal) + 8, area.y + 8}, plot.unit,
               palette::exact, Align::left, TextSize::tick);
-  for (const double value : ticks(bottom, top, 3)) {
-    const std::array<Point, 2> line{at(from, value), at(to, value)};
-    canvas.line(line, value == 0 ? palette::exact : palette::grid_major, 1);
-    canvas.text({box.x - 6, line[0].y - 8}, tick_text(value), palette::ink, Align::right,
-                TextSize::tick);
-  }
-  for (const double t : ticks(from, to, 4)) {
-    const std::array<Point, 2> line{at(t, bottom), at(t, top)};
-    canvas.line(line, palette::grid_minor, 1);
-    canvas.text({line[0].x, box.bottom() + 4}, tick_text(t) + " s", palette::exact, Align::centre,
-                TextSize::tick);
-  }
 
   canvas.push_clip({box.x - 1, box.y - 2, box.width + 2, box.height + 4});
   std::vector<Point> curve, exact;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const TracePoint& point = *points[i];
     if (i > 0 && point.energy.spring > 0) {
-      const float left = at(points[i - 1]->t, 0).x, right = at(point.t, 0).x;
+      const float left = diagram.at(points[i - 1]->t, 0).x, right = diagram.at(point.t, 0).x;
       draw_rect(canvas, {left, box.y, std::max(1.0f, right - left), box.height},
                 palette::spring.faded(0.08));
     }
-    if (std::isfinite(values[i])) curve.push_back(at(point.t, values[i]));
-    if (plot.exact && !point.exact.empty()) exact.push_back(at(point.t, plot.exact(point)));
+    if (std::isfinite(values[i])) curve.push_back(diagram.at(point.t, values[i]));
+    if (plot.exact && !point.exact.empty()) exact.push_back(diagram.at(point.t, plot.exact(point)));
   }
   canvas.line(curve, plot.colour, 2);
   draw_dashed(canvas, exact, palette::exact, 1.5f);
@@ -126,8 +106,8 @@ void draw_energy_column(Canvas& canvas, Rect area, const TracePoint& now) {
     draw_rect(canvas, {column.x, y - height, column.width, height}, part.colour);
     if (&part == &parts[3]) {  // hatched: this energy is gone
       for (float line = y - height; line < y; line += 6) {
-        const std::array<Point, 2> hatch{{{column.x, line + 6}, {column.right(), line}}};
-        canvas.line(hatch, palette::paper.faded(0.7), 1);
+        draw_line(canvas, {column.x, line + 6}, {column.right(), line}, palette::paper.faded(0.7),
+                  1);
       }
     }
     y -= height;
@@ -138,8 +118,7 @@ void draw_energy_column(Canvas& canvas, Rect area, const TracePoint& now) {
   const double error = now.energy_error() / scale;
   const float x = column.right() + 12;
   const float tip = column.y - static_cast<float>(std::clamp(100 * error, -1.0, 0.28)) * full;
-  const std::array<Point, 2> zero{{{column.right(), column.y}, {x + 6, column.y}}};
-  canvas.line(zero, palette::ink, 1);
+  draw_line(canvas, {column.right(), column.y}, {x + 6, column.y}, palette::ink, 1);
   draw_arrow(canvas, {x, column.y}, {x, tip}, palette::ink);
   canvas.pop_clip();
 

@@ -1,5 +1,4 @@
 #pragma once
-#include <deque>
 
 #include "app/canvas.hpp"
 #include "app/demo.hpp"

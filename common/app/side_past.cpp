@@ -81,9 +81,8 @@ void draw_strobe(Canvas& canvas, const Playback& playback, const SideCamera& cam
       const float exact_y = height(before.exact, after.exact);
       draw_dashed_circle(canvas, {x + strobe_ghost_offset, exact_y}, radius,
                          palette::exact.faded(0.55), 1);
-      const std::array<Point, 2> link{
-          {{x + radius, y}, {x + strobe_ghost_offset - radius, exact_y}}};
-      canvas.line(link, palette::grid_major, 1);
+      draw_line(canvas, {x + radius, y}, {x + strobe_ghost_offset - radius, exact_y},
+                palette::grid_major, 1);
     }
     if (std::abs(y - last_label) < 15) continue;
     last_label = y;
@@ -97,15 +96,14 @@ void draw_time_axis(Canvas& canvas, const TimePath& path, double now, float y, f
   for (int n = -3; n <= 2; ++n) {
     const Point at = path.at(now + n, 0);
     if (at.x < ruler_x + 10 || at.x > layout::scene.right() - 10) continue;
-    const std::array<Point, 2> tick{{{at.x, y}, {at.x, y + 5}}};
-    canvas.line(tick, palette::ink, 1.5f);
+    draw_line(canvas, {at.x, y}, {at.x, y + 5}, palette::ink, 1.5f);
     char text[32];
     std::snprintf(text, sizeof text, n == 0 ? "now" : "%+d s", n);
     canvas.text({at.x, y + 10}, text, n == 0 ? palette::ink : palette::exact, Align::centre,
                 TextSize::tick);
   }
-  const std::array<Point, 2> line{{{column, layout::scene.y + 34}, {column, y}}};
-  draw_dashed(canvas, line, palette::grid_major, 1);
+  draw_dashed(canvas, std::array{Point{column, layout::scene.y + 34}, Point{column, y}},
+              palette::grid_major, 1);
 }
 
 }  // namespace bounce

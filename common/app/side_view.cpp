@@ -1,7 +1,6 @@
 #include "app/side_view.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -10,7 +9,6 @@
 #include "app/palette.hpp"
 #include "app/side_forces.hpp"
 #include "app/side_past.hpp"
-#include "run/rows.hpp"
 
 namespace bounce {
 namespace {
@@ -22,8 +20,7 @@ void draw_ruler(Canvas& canvas, const SideCamera& camera, double lowest, double 
   const double step = major.size() > 1 ? major[1] - major[0] : 1;
   const auto grid = [&](double y, Colour colour) {
     const float at = camera.at(0, y).y;
-    const std::array<Point, 2> line{{{ruler_x, at}, {area.right() - 8, at}}};
-    canvas.line(line, colour, 1);
+    draw_line(canvas, {ruler_x, at}, {area.right() - 8, at}, colour, 1);
   };
   for (double y : ticks(lowest, highest, 30)) grid(y, palette::grid_minor);
   for (const double y : major) {
@@ -32,12 +29,10 @@ void draw_ruler(Canvas& canvas, const SideCamera& camera, double lowest, double 
     std::snprintf(text, sizeof text, step < 0.1 ? "%.2f" : step < 1 ? "%.1f" : "%g", y);
     canvas.text({ruler_x - 14, camera.at(0, y).y - 8}, text, palette::ink, Align::right,
                 TextSize::tick);
-    const std::array<Point, 2> tick{
-        {{ruler_x - 8, camera.at(0, y).y}, {ruler_x, camera.at(0, y).y}}};
-    canvas.line(tick, palette::ink, 1.5f);
+    draw_line(canvas, {ruler_x - 8, camera.at(0, y).y}, {ruler_x, camera.at(0, y).y}, palette::ink,
+              1.5f);
   }
-  const std::array<Point, 2> edge{{{ruler_x, camera.at(x0, lowest).y}, {ruler_x, area.y + 34}}};
-  canvas.line(edge, palette::ink, 1.5f);
+  draw_line(canvas, {ruler_x, camera.at(x0, lowest).y}, {ruler_x, area.y + 34}, palette::ink, 1.5f);
   canvas.text({ruler_x + 6, area.y + 30}, "m", palette::exact, Align::left, TextSize::tick);
 }
 
@@ -58,11 +53,9 @@ void draw_overlap(Canvas& canvas, Point centre, float radius, float ground) {
 void draw_gap(Canvas& canvas, Point ball, Point ghost, double metres) {
   if (std::abs(ball.y - ghost.y) < 3) return;
   const float x = ghost.x + 44;
-  const std::array<Point, 2> bracket{{{x, ball.y}, {x, ghost.y}}};
-  canvas.line(bracket, palette::ink, 1.5f);
+  draw_line(canvas, {x, ball.y}, {x, ghost.y}, palette::ink, 1.5f);
   for (const float y : {ball.y, ghost.y}) {
-    const std::array<Point, 2> foot{{{x - 5, y}, {x + 5, y}}};
-    canvas.line(foot, palette::ink, 1.5f);
+    draw_line(canvas, {x - 5, y}, {x + 5, y}, palette::ink, 1.5f);
   }
   draw_label(canvas, {x + 10, (ball.y + ghost.y) / 2 - 9}, with_unit(metres, "m") + " apart",
              palette::ink, Align::left, TextSize::normal);

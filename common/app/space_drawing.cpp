@@ -175,6 +175,13 @@ void draw_ball_in_space(Canvas& canvas, const Camera& camera, const Vector3d& ce
   canvas.circle(at, size, palette::ink, 1.5f);
 }
 
+void draw_label_at(Canvas& canvas, const Camera& camera, const Vector3d& place, Point shift,
+                   const std::string& words, Colour colour, Align align, TextSize size) {
+  if (!camera.sees(place)) return;
+  const Point at = camera.at(place);
+  draw_label(canvas, {at.x + shift.x, at.y + shift.y}, words, colour, align, size);
+}
+
 void draw_axes(Canvas& canvas, const Camera& camera, Point origin) {
   constexpr float length = 34;
   constexpr std::array<std::pair<const char*, int>, 3> names{{{"x", 0}, {"y", 1}, {"z", 2}}};

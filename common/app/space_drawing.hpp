@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <span>
+#include <string>
 
 #include "app/camera.hpp"
 #include "app/canvas.hpp"
@@ -43,6 +44,11 @@ Eigen::Vector3d below(const Plane& plane, const Eigen::Vector3d& point);
 /// A ball with an outline and a soft shade: the light comes from the upper left.
 void draw_ball_in_space(Canvas& canvas, const Camera& camera, const Eigen::Vector3d& centre,
                         double radius);
+
+/// A label beside a place that the camera sees, shifted by so many pixels.
+void draw_label_at(Canvas& canvas, const Camera& camera, const Eigen::Vector3d& place, Point shift,
+                   const std::string& words, Colour colour, Align align = Align::left,
+                   TextSize size = TextSize::tick);
 
 /// Three short arrows that say where x, y and z point.
 void draw_axes(Canvas& canvas, const Camera& camera, Point origin);

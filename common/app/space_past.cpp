@@ -114,12 +114,10 @@ void draw_landings(Canvas& canvas, const Camera& camera, const Playback& playbac
     if (hop < 0.08) continue;  // no room for words
     const std::array<Vector3d, 2> ruler{last + 0.12 * across, foot + 0.12 * across};
     draw_path(canvas, camera, ruler, palette::ink.faded(0.6), 1);
-    const Vector3d middle = (last + foot) / 2 + 0.14 * across;
-    if (!camera.sees(middle)) continue;
     char text[48];
     std::snprintf(text, sizeof text, "%.2f m, %.3f s", hop, marks[i].t - marks[i - 1].t);
-    draw_label(canvas, {camera.at(middle).x, camera.at(middle).y + 6}, text, palette::ink,
-               Align::centre);
+    draw_label_at(canvas, camera, (last + foot) / 2 + 0.14 * across, {0, 6}, text, palette::ink,
+                  Align::centre);
   }
 }
 

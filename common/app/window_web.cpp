@@ -3,8 +3,6 @@
 // at the end. No SDL, no Dear ImGui, no files.
 #include <emscripten.h>
 
-#include <algorithm>
-
 #include "app/kept_number.hpp"
 #include "app/layout.hpp"
 #include "app/page.hpp"

@@ -89,29 +89,27 @@ struct OscillatingFloor {
             gravitational_energy(mass, gravity, state.position), stiffness * d * d / 2};
   }
 
-  std::vector<Parameter> parameters();
+  std::vector<Parameter> parameters() {
+    const Range not_negative{0, 1e30}, any{-1e15, 1e15};
+    return {
+        describe::mass(mass),
+        describe::gravity(gravity),
+        describe::position(start.position, 1.2),
+        describe::velocity(start.velocity),
+        describe::radius(radius),
+        describe::stiffness(stiffness),
+        describe::damping(damping),
+        describe::contact(contact),
+        {"amplitude", "m", "how far the floor swings to each side", &amplitude, not_negative,
+         Range{0, 0.15}},
+        {"angular_frequency", "rad/s", "how fast the floor swings; 6.283 is once a second",
+         &angular_frequency, not_negative, Range{0, 40}},
+        {"phase", "rad", "where in its swing the floor starts", &phase, any, Range{0, 6.283}, true},
+        {"floor_velocity", "m/s", "steady speed of the floor, upwards, besides the swing",
+         &floor_velocity, any, Range{-1, 1}, true},
+        {"floor_law", "", "what the contact knows of the floor's movement",
+         choice_of(floor_law, {"relative", "absolute", "fixed-switch"})}};
+  }
 };
-
-inline std::vector<Parameter> OscillatingFloor::parameters() {
-  const Range not_negative{0, 1e30}, any{-1e15, 1e15};
-  return {
-      describe::mass(mass),
-      describe::gravity(gravity),
-      describe::position(start.position, 1.2),
-      describe::velocity(start.velocity),
-      describe::radius(radius),
-      describe::stiffness(stiffness),
-      describe::damping(damping),
-      describe::contact(contact),
-      {"amplitude", "m", "how far the floor swings to each side", &amplitude, not_negative,
-       Range{0, 0.15}},
-      {"angular_frequency", "rad/s", "how fast the floor swings; 6.283 is once a second",
-       &angular_frequency, not_negative, Range{0, 40}},
-      {"phase", "rad", "where in its swing the floor starts", &phase, any, Range{0, 6.283}, true},
-      {"floor_velocity", "m/s", "steady speed of the floor, upwards, besides the swing",
-       &floor_velocity, any, Range{-1, 1}, true},
-      {"floor_law", "", "what the contact knows of the floor's movement",
-       choice_of(floor_law, {"relative", "absolute", "fixed-switch"})}};
-}
 
 }  // namespace bounce

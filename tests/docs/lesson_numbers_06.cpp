@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "06_oscillating_floor/sweep/sweep.hpp"
+#include "06_oscillating_floor/sweep/settled_bounces.hpp"
 #include "docs/tables.hpp"
 #include "physics/events/event_driven.hpp"
 #include "physics/methods/stepping_methods.hpp"

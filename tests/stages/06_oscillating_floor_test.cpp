@@ -9,7 +9,7 @@
 #include "03_damping/exact.hpp"
 #include "06_oscillating_floor/exact/exact.hpp"
 #include "06_oscillating_floor/slider/steady_hand.hpp"
-#include "06_oscillating_floor/sweep/sweep.hpp"
+#include "06_oscillating_floor/sweep/settled_bounces.hpp"
 #include "methods.hpp"
 #include "physics/events/event_driven.hpp"
 #include "physics/text.hpp"

@@ -6,7 +6,6 @@
 
 #include "06_oscillating_floor/exact/contact_bounds.hpp"
 #include "06_oscillating_floor/oscillating_floor.hpp"
-#include "physics/events/closed_form.hpp"
 #include "physics/events/first_zero.hpp"
 
 namespace bounce {

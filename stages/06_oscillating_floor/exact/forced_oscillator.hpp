@@ -1,7 +1,6 @@
 #pragma once
 #include <cmath>
 #include <complex>
-#include <numbers>
 
 #include "physics/events/closed_form.hpp"
 

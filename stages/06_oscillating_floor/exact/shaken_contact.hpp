@@ -1,6 +1,5 @@
 #pragma once
 #include <cmath>
-#include <complex>
 #include <limits>
 
 #include "06_oscillating_floor/exact/swinging_floor.hpp"

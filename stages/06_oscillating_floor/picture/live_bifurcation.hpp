@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "06_oscillating_floor/exact/exact.hpp"
-#include "06_oscillating_floor/picture/diagram.hpp"
 #include "06_oscillating_floor/sweep/settled_bounces.hpp"
 #include "app/demo.hpp"
+#include "app/diagram.hpp"
+#include "app/drawing.hpp"
+#include "app/palette.hpp"
 #include "run/one_ball_run.hpp"
 
 namespace bounce {
@@ -24,13 +26,57 @@ class LiveBifurcation {
 
   /// Goes on for so long [s], or begins anew when anything but the amplitude has changed (and the
   /// phase, which a slider takes along). Returns whether it has come to the end.
-  bool work(const Simulation& simulation, double seconds);
+  bool work(const Simulation& simulation, double seconds) {
+    const auto begin = std::chrono::steady_clock::now();
+    OscillatingFloor scene = scene_of(simulation);
+    scene.amplitude = 0;
+    std::vector<std::string> settings;
+    for (const Parameter& parameter : scene.parameters()) settings.push_back(parameter.text());
+    if (settings != settings_) {
+      settings_ = settings;
+      scene_ = scene;
+      heights_.assign(columns, {});
+      done_ = 0;
+      drawn_ = -1;
+      highest_ = 0;
+    }
+    while (done_ < columns) {
+      compute();
+      const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+      if (spent.count() > seconds) break;
+    }
+    return done_ == columns;
+  }
 
   /// With a hair at the amplitude of now.
-  void draw(Canvas& canvas, Rect area, const Simulation& simulation);
+  void draw(Canvas& canvas, Rect area, const Simulation& simulation) {
+    const Diagram diagram{plot_box(area, 24), slider(), {0, top()}};
+    const bool wide = area.width > 500;
+    diagram.draw(canvas,
+                 wide ? "heights of the bounces for every amplitude, m (click: go there)"
+                      : "heights for every amplitude, m",
+                 wide ? 10 : 5, 4, " m");
+    make_dots(diagram);
+    for (const Rect& dot : dots_) draw_rect(canvas, dot, palette::motion.faded(0.75));
+
+    const double now = run_as<Its>(simulation).scene().amplitude;
+    if (now > slider().highest) return;
+    const Point top = diagram.at(now, diagram.up.highest);
+    draw_line(canvas, top, {top.x, diagram.box.bottom()}, palette::ink, 1.5f);
+    draw_label(canvas, {top.x + 6, top.y + 2}, with_unit(now, "m"), palette::ink);
+  }
 
   /// The amplitude at this place of the picture.
-  static std::optional<double> amplitude_at(Rect area, Point at);
+  static std::optional<double> amplitude_at(Rect area, Point at) {
+    const Range range = slider();
+    const Rect box = plot_box(area, 24);
+    if (at.y < box.y || at.y > box.bottom() || at.x < box.x - 4 || at.x > box.right() + 4) {
+      return std::nullopt;
+    }
+    const double share = std::clamp((at.x - box.x) / box.width, 0.0f, 1.0f);
+    const double amplitude = range.lowest + share * (range.highest - range.lowest);
+    return std::round(amplitude * 1e4) / 1e4;  // tenths of a millimetre
+  }
 
  private:
   using Its = OneBallRun<OscillatingFloor, OscillatingFloorExact>;
@@ -58,8 +104,55 @@ class LiveBifurcation {
     const double top = scene_.radius + 3 * scene_.gravity * swing * swing / 8;
     return top > 0 && top < highest_ ? top : std::max(highest_, 0.1);
   }
-  void compute();
-  void make_dots(const Diagram& diagram);
+
+  /// The next columns, side by side; or the next one, where bounces are slow.
+  void compute() {
+    std::vector<OscillatingFloor> scenes;
+    const int first = done_;
+    scene_.amplitude = slider().highest;
+    const std::size_t most = has_quick_contact(scene_) ? lanes : 1;
+    for (; done_ < columns && scenes.size() < most; ++done_) {
+      scene_.amplitude = amplitude_of(column_of(done_));
+      scenes.push_back(scene_);
+    }
+    try {
+      int n = first;
+      for (const std::vector<Bounce>& bounces : settled_bounces(scenes, discarded, kept)) {
+        std::vector<float>& heights = heights_[static_cast<std::size_t>(column_of(n++))];
+        for (const Bounce& bounce : bounces) {
+          heights.push_back(static_cast<float>(bounce.height));
+          highest_ = std::max(highest_, bounce.height);
+        }
+      }
+    } catch (const TimeStandsStill&) {
+      // Contacts that cannot be followed (absolute, fixed-switch): these columns stay empty.
+    }
+  }
+
+  /// One mark for all bounces of a column whose marks would touch.
+  void make_dots(const Diagram& diagram) {
+    if (drawn_ == done_ && drawn_width_ == diagram.box.width) return;
+    drawn_ = done_;
+    drawn_width_ = diagram.box.width;
+    dots_.clear();
+    const float width = std::max(1.0f, diagram.box.width / columns);
+    std::vector<float> places;
+    for (int column = 0; column < columns; ++column) {
+      places.clear();
+      for (const float height : heights_[static_cast<std::size_t>(column)]) {
+        if (height >= 0 && height <= diagram.up.highest)
+          places.push_back(std::floor(diagram.at(0, height).y));
+      }
+      std::sort(places.begin(), places.end());
+      const float x = diagram.at(amplitude_of(column), 0).x - width / 2;
+      for (std::size_t i = 0; i < places.size();) {
+        const float top = places[i];
+        float bottom = top;
+        while (i < places.size() && places[i] <= bottom + 1) bottom = places[i++];
+        dots_.push_back({x, top, width, bottom - top + 1.5f});
+      }
+    }
+  }
 
   OscillatingFloor scene_;
   std::vector<std::string> settings_;  // of all that it depends on
@@ -71,105 +164,5 @@ class LiveBifurcation {
   int drawn_ = -1;
   float drawn_width_ = 0;
 };
-
-inline bool LiveBifurcation::work(const Simulation& simulation, double seconds) {
-  const auto begin = std::chrono::steady_clock::now();
-  OscillatingFloor scene = scene_of(simulation);
-  scene.amplitude = 0;
-  std::vector<std::string> settings;
-  for (const Parameter& parameter : scene.parameters()) settings.push_back(parameter.text());
-  if (settings != settings_) {
-    settings_ = settings;
-    scene_ = scene;
-    heights_.assign(columns, {});
-    done_ = 0;
-    drawn_ = -1;
-    highest_ = 0;
-  }
-  while (done_ < columns) {
-    compute();
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
-    if (spent.count() > seconds) break;
-  }
-  return done_ == columns;
-}
-
-/// The next columns, side by side; or the next one, where bounces are slow.
-inline void LiveBifurcation::compute() {
-  std::vector<OscillatingFloor> scenes;
-  const int first = done_;
-  scene_.amplitude = slider().highest;
-  const std::size_t most = has_quick_contact(scene_) ? lanes : 1;
-  for (; done_ < columns && scenes.size() < most; ++done_) {
-    scene_.amplitude = amplitude_of(column_of(done_));
-    scenes.push_back(scene_);
-  }
-  try {
-    int n = first;
-    for (const std::vector<Bounce>& bounces : settled_bounces(scenes, discarded, kept)) {
-      std::vector<float>& heights = heights_[static_cast<std::size_t>(column_of(n++))];
-      for (const Bounce& bounce : bounces) {
-        heights.push_back(static_cast<float>(bounce.height));
-        highest_ = std::max(highest_, bounce.height);
-      }
-    }
-  } catch (const TimeStandsStill&) {
-    // Contacts that cannot be followed (absolute, fixed-switch): these columns stay empty.
-  }
-}
-
-/// One mark for all bounces of a column whose marks would touch.
-inline void LiveBifurcation::make_dots(const Diagram& diagram) {
-  if (drawn_ == done_ && drawn_width_ == diagram.box.width) return;
-  drawn_ = done_;
-  drawn_width_ = diagram.box.width;
-  dots_.clear();
-  const float width = std::max(1.0f, diagram.box.width / columns);
-  std::vector<float> places;
-  for (int column = 0; column < columns; ++column) {
-    places.clear();
-    for (const float height : heights_[static_cast<std::size_t>(column)]) {
-      if (height >= 0 && height <= diagram.up.highest)
-        places.push_back(std::floor(diagram.at(0, height).y));
-    }
-    std::sort(places.begin(), places.end());
-    const float x = diagram.at(amplitude_of(column), 0).x - width / 2;
-    for (std::size_t i = 0; i < places.size();) {
-      const float top = places[i];
-      float bottom = top;
-      while (i < places.size() && places[i] <= bottom + 1) bottom = places[i++];
-      dots_.push_back({x, top, width, bottom - top + 1.5f});
-    }
-  }
-}
-
-inline void LiveBifurcation::draw(Canvas& canvas, Rect area, const Simulation& simulation) {
-  const Diagram diagram{within_plot(area), slider(), {0, top()}};
-  diagram.draw(canvas,
-               area.width > 500 ? "heights of the bounces for every amplitude, m (click: go there)"
-                                : "heights for every amplitude, m",
-               "m");
-  make_dots(diagram);
-  for (const Rect& dot : dots_) draw_rect(canvas, dot, palette::motion.faded(0.75));
-
-  const double now = run_as<Its>(simulation).scene().amplitude;
-  if (now > slider().highest) return;
-  const Point top = diagram.at(now, diagram.up.highest);
-  const std::array<Point, 2> hair{top, Point{top.x, diagram.box.bottom()}};
-  canvas.line(hair, palette::ink, 1.5f);
-  draw_label(canvas, {top.x + 6, top.y + 2}, with_unit(now, "m"), palette::ink);
-}
-
-inline std::optional<double> LiveBifurcation::amplitude_at(Rect area, Point at) {
-  const Range range = slider();
-  const Diagram diagram{within_plot(area), range, {0, 1}};
-  const Rect& box = diagram.box;
-  if (at.y < box.y || at.y > box.bottom() || at.x < box.x - 4 || at.x > box.right() + 4) {
-    return std::nullopt;
-  }
-  const double share = std::clamp((at.x - box.x) / box.width, 0.0f, 1.0f);
-  const double amplitude = range.lowest + share * (range.highest - range.lowest);
-  return std::round(amplitude * 1e4) / 1e4;  // tenths of a millimetre
-}
 
 }  // namespace bounce

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "06_oscillating_floor/exact/exact.hpp"
-#include "06_oscillating_floor/picture/diagram.hpp"
 #include "06_oscillating_floor/sweep/settled_bounces.hpp"
+#include "app/diagram.hpp"
+#include "app/drawing.hpp"
+#include "app/palette.hpp"
 #include "app/playback.hpp"
 #include "run/one_ball_run.hpp"
 #include "run/rows.hpp"
@@ -20,13 +22,65 @@ namespace bounce {
 /// by, after it has had time to settle from where the run was when the floor changed.
 class TouchSection {
  public:
-  void draw(Canvas& canvas, Rect area, const Playback& playback);
+  void draw(Canvas& canvas, Rect area, const Playback& playback) {
+    follow(playback);
+    double fastest = 1;
+    for (const Bounce& bounce : exact_) fastest = std::max(fastest, bounce.speed);
+    for (const Dot& dot : dots_) fastest = std::max(fastest, dot.speed);
+    const Diagram diagram{plot_box(area, 24), {0, 2 * std::numbers::pi}, {0, std::ceil(fastest)}};
+    diagram.draw(canvas, "speed of each touch, m/s, by the floor's angle", 5, 4, " rad");
+    for (const Bounce& bounce : exact_) {
+      const Point at = diagram.at(bounce.phase, bounce.speed);
+      draw_rect(canvas, {at.x - 1, at.y - 1, 2, 2}, palette::exact.faded(0.4));
+    }
+    for (const Dot& dot : dots_) {
+      const Point at = diagram.at(dot.angle, dot.speed);
+      draw_rect(canvas, {at.x - 1.5f, at.y - 1.5f, 3, 3}, palette::motion.faded(0.75));
+    }
+    if (!dots_.empty()) {
+      canvas.disc(diagram.at(dots_.back().angle, dots_.back().speed), 5, palette::motion);
+    }
+  }
 
  private:
   struct Dot {
     double angle, speed;  // rad, m/s
   };
-  void follow(const Playback& playback);
+  /// The trace has the ball every few milliseconds. From a moment in the air the exact solution
+  /// tells whether, and when, it touches before the next.
+  void follow(const Playback& playback) {
+    using Its = OneBallRun<OscillatingFloor, OscillatingFloorExact>;
+    const OscillatingFloor scene = run_as<Its>(playback.simulation()).scene();
+    const std::deque<TracePoint>& trace = playback.trace();
+    const bool is_other = scene.amplitude != amplitude_ || scene.angular_frequency != w_;
+    if (is_other || trace.back().t < until_) {
+      dots_.clear();
+      try {
+        exact_ = settled_bounces(from_now(scene, trace.back()), 300, 1000);
+      } catch (const TimeStandsStill&) {
+        exact_.clear();  // a contact that cannot be followed
+      }
+      until_ = is_other ? trace.back().t : trace.front().t;
+      amplitude_ = scene.amplitude;
+      w_ = scene.angular_frequency;
+    }
+    std::size_t next = trace.size() - 1;
+    while (next > 0 && trace[next - 1].t >= until_) --next;
+    OscillatingFloorExact phases(scene);
+    for (; next + 1 < trace.size(); ++next) {
+      const double t = trace[next].t, length = trace[next + 1].t - t;
+      const State<double> ball = state_in<double>(trace[next].values);
+      phases.begin(t);
+      if (phases.phase_at(ball) != Phase::flight) continue;
+      const PhaseEnd end = phases.end_of(Phase::flight, ball);
+      if (!(end.after <= length) || end.next == Phase::flight) continue;
+      const double angle = scene.angular_frequency * (t + end.after) + scene.phase;
+      const double fall = fly(ball, scene.gravity, end.after).velocity;
+      dots_.push_back({within_one_turn(angle), scene.floor_speed(t + end.after) - fall});
+      if (dots_.size() > most) dots_.pop_front();
+    }
+    until_ = trace.back().t;
+  }
   /// The scene that begins where the run is.
   static OscillatingFloor from_now(OscillatingFloor scene, const TracePoint& now) {
     scene.start = state_in<double>(now.values);
@@ -41,61 +95,5 @@ class TouchSection {
   double until_ = 0;  // s: touches before that are known
   double amplitude_ = 0, w_ = 0;
 };
-
-/// The trace has the ball every few milliseconds. From a moment in the air the exact solution tells
-/// whether, and when, it touches before the next.
-inline void TouchSection::follow(const Playback& playback) {
-  using Its = OneBallRun<OscillatingFloor, OscillatingFloorExact>;
-  const OscillatingFloor scene = run_as<Its>(playback.simulation()).scene();
-  const std::deque<TracePoint>& trace = playback.trace();
-  const bool is_other = scene.amplitude != amplitude_ || scene.angular_frequency != w_;
-  if (is_other || trace.back().t < until_) {
-    dots_.clear();
-    try {
-      exact_ = settled_bounces(from_now(scene, trace.back()), 300, 1000);
-    } catch (const TimeStandsStill&) {
-      exact_.clear();  // a contact that cannot be followed
-    }
-    until_ = is_other ? trace.back().t : trace.front().t;
-    amplitude_ = scene.amplitude;
-    w_ = scene.angular_frequency;
-  }
-  std::size_t next = trace.size() - 1;
-  while (next > 0 && trace[next - 1].t >= until_) --next;
-  OscillatingFloorExact phases(scene);
-  for (; next + 1 < trace.size(); ++next) {
-    const double t = trace[next].t, length = trace[next + 1].t - t;
-    const State<double> ball = state_in<double>(trace[next].values);
-    phases.begin(t);
-    if (phases.phase_at(ball) != Phase::flight) continue;
-    const PhaseEnd end = phases.end_of(Phase::flight, ball);
-    if (!(end.after <= length) || end.next == Phase::flight) continue;
-    const double angle = scene.angular_frequency * (t + end.after) + scene.phase;
-    const double fall = fly(ball, scene.gravity, end.after).velocity;
-    dots_.push_back({within_one_turn(angle), scene.floor_speed(t + end.after) - fall});
-    if (dots_.size() > most) dots_.pop_front();
-  }
-  until_ = trace.back().t;
-}
-
-inline void TouchSection::draw(Canvas& canvas, Rect area, const Playback& playback) {
-  follow(playback);
-  double fastest = 1;
-  for (const Bounce& bounce : exact_) fastest = std::max(fastest, bounce.speed);
-  for (const Dot& dot : dots_) fastest = std::max(fastest, dot.speed);
-  const Diagram diagram{within_plot(area), {0, 2 * std::numbers::pi}, {0, std::ceil(fastest)}};
-  diagram.draw(canvas, "speed of each touch, m/s, by the floor's angle", "rad");
-  for (const Bounce& bounce : exact_) {
-    const Point at = diagram.at(bounce.phase, bounce.speed);
-    draw_rect(canvas, {at.x - 1, at.y - 1, 2, 2}, palette::exact.faded(0.4));
-  }
-  for (const Dot& dot : dots_) {
-    const Point at = diagram.at(dot.angle, dot.speed);
-    draw_rect(canvas, {at.x - 1.5f, at.y - 1.5f, 3, 3}, palette::motion.faded(0.75));
-  }
-  if (!dots_.empty()) {
-    canvas.disc(diagram.at(dots_.back().angle, dots_.back().speed), 5, palette::motion);
-  }
-}
 
 }  // namespace bounce

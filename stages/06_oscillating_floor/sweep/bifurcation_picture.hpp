@@ -1,14 +1,12 @@
 #pragma once
-#include <array>
-#include <cmath>
-#include <cstdio>
+#include <algorithm>
 #include <numbers>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "06_oscillating_floor/picture/diagram.hpp"
+#include "app/diagram.hpp"
 #include "app/drawing.hpp"
 #include "app/layout.hpp"
 #include "app/palette.hpp"
@@ -23,22 +21,7 @@ struct SweepRow {
 /// One diagram: `value` of every row against the parameter, a pixel each.
 inline void draw_diagram(Canvas& canvas, const Diagram& diagram, const std::vector<SweepRow>& rows,
                          double SweepRow::*value, const std::string& title) {
-  const auto& [box, across, up] = diagram;
-  char text[32];
-  for (const double y : ticks(up.lowest, up.highest, 5)) {
-    const std::array<Point, 2> line{diagram.at(across.lowest, y), diagram.at(across.highest, y)};
-    canvas.line(line, palette::grid_major, 1);
-    std::snprintf(text, sizeof text, "%.3g", y);
-    canvas.text({box.x - 10, line[0].y - 11}, text, palette::ink, Align::right, TextSize::title);
-  }
-  for (const double x : ticks(across.lowest, across.highest, 10)) {
-    const std::array<Point, 2> line{diagram.at(x, up.lowest), diagram.at(x, up.highest)};
-    canvas.line(line, palette::grid_minor, 1);
-    std::snprintf(text, sizeof text, "%.4g", x);
-    canvas.text({line[0].x, box.bottom() + 6}, text, palette::ink, Align::centre, TextSize::title);
-  }
-  draw_label(canvas, {box.x, box.y - 28}, title, palette::ink, Align::left, TextSize::title);
-
+  diagram.draw(canvas, title, 10, 5, "", true);
   std::set<std::pair<int, int>> drawn;  // many bounces, few places: one dot for each
   for (const SweepRow& row : rows) {
     const Point dot = diagram.at(row.parameter, row.*value);

@@ -56,16 +56,12 @@ inline Lanes square_root(Lanes a) {
 }
 
 inline constexpr std::size_t lanes = 4;
-inline double lane(const Lanes& a, std::size_t n) { return n < 2 ? a.low[n] : a.high[n - 2]; }
+inline double lane(const Lanes& a, std::size_t n) { return (n < 2 ? a.low : a.high)[n % 2]; }
 inline bool lane(const LanesAnswer& a, std::size_t n) {
-  return (n < 2 ? a.low[n] : a.high[n - 2]) != 0;
+  return (n < 2 ? a.low : a.high)[n % 2] != 0;
 }
 inline void set_lane(Lanes& a, std::size_t n, double value) {
-  if (n < 2) {
-    a.low[n] = value;
-  } else {
-    a.high[n - 2] = value;
-  }
+  (n < 2 ? a.low : a.high)[n % 2] = value;
 }
 #else
 using Lanes = double;

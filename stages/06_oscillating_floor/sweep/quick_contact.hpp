@@ -1,5 +1,4 @@
 #pragma once
-#include <cmath>
 #include <numbers>
 
 #include "06_oscillating_floor/oscillating_floor.hpp"
@@ -45,10 +44,79 @@ struct QuickContact {
   Swing<V> floor_turn;
   V decay;
 
-  LiftOff<V> operator()(const Touch<V>& touch, const Swing<V>& floor) const;
+  LiftOff<V> operator()(const Touch<V>& touch, const Swing<V>& floor) const {
+    const V stiff = omega0 * omega0, loss = 2 * beta, v = touch.velocity, one = V{1};
+    const V shaking = amplitude * w * w;
+
+    // The free swing: what is left of X when constant and steady swing are taken away.
+    V value{}, rate = v;
+    if (lets_go) {
+      value = loss * v;
+      rate = stiff * v + loss * (shaking * floor.sine - gravity - loss * v);
+    }
+    Swing<V> steady = floor * answer;
+    Swing<V> free;
+    free.sine = value - level - steady.sine;
+    const V free_rate = rate - w * steady.cosine;
+    free.cosine = (free_rate + beta * free.sine) / omega_d;
+    const Derivatives<V> start = X(steady, free);
+    // The energy of a free swing does not grow. So this stays above |X'''|:
+    const V bound =
+        w * w * w * answer_size +
+        (stiff + loss * (loss + omega0)) * (absolute(free_rate) + omega0 * absolute(free.sine));
+
+    LiftOff<V> end;
+    V t = half_swing, step;
+    steady = steady * floor_turn;
+    free = {-decay * free.sine, -decay * free.cosine};
+    Derivatives<V> now;
+    for (int i = 0;; ++i) {
+      now = X(steady, free);
+      end.is_sure = now.first > 0;
+      now.first = select(end.is_sure, now.first, one);  // anything to divide by
+      step = now.step_to_zero();
+      const Answer<V> is_near = now.is_near(step, omega0);
+      end.is_sure = end.is_sure && is_near;
+      if (all(is_near) || i == most_steps) break;
+      step = select(is_near, V{}, within(step, eighth_turn / omega0));  // as far as series go
+      t = t + step;
+      steady = steady * small_turn(w * step);
+      const Swing<V> turned = free * small_turn(omega_d * step);
+      const V dying = small_exponential(-beta * step);
+      free = {dying * turned.sine, dying * turned.cosine};
+    }
+    end.t = t + step;
+    end.floor = steady * undo_answer * tiny_turn(w * step);
+    const V end_rate = now.first_after(step);
+    end.x = V{};
+    end.velocity = end_rate;
+    if (lets_go) {  // then x'' is that of a flight already
+      end.velocity = (end_rate - loss * (shaking * end.floor.sine - gravity)) / stiff;
+      end.x = -loss * end.velocity / stiff;
+    }
+
+    // It did not end before: X cannot have come up to zero in the first half of the time, starting
+    // as it did, nor in the second half, ending as it does.
+    const V half = end.t / 2, cubic = bound * half * half / 6;
+    const V after = -start.first - start.second * half / 2 - cubic;
+    const V before = end_rate - (now.second + now.third * step) * half / 2 - cubic;
+    end.is_sure = end.is_sure && end.t > 0 && -v > 0 && -start.first > 0 &&
+                  after > -close * start.first && before > close * end_rate && end.velocity > 0;
+    end.velocity = select(end.is_sure, end.velocity, one);
+    return end;
+  }
 
  private:
-  Derivatives<V> X(const Swing<V>& steady, const Swing<V>& free) const;
+  /// X and its derivatives. The free swing x is free.sine, and x' = omega_d cosine - beta sine.
+  Derivatives<V> X(const Swing<V>& steady, const Swing<V>& free) const {
+    const V w2 = w * w, stiff = omega0 * omega0, loss = 2 * beta;
+    const V first = omega_d * free.cosine - beta * free.sine;
+    const V second = -loss * first - stiff * free.sine;
+    const V third = -loss * second - stiff * first;
+    const V fourth = -loss * third - stiff * second;
+    return {level + steady.sine + free.sine, w * steady.cosine + first, second - w2 * steady.sine,
+            third - w2 * w * steady.cosine, fourth + w2 * w2 * steady.sine};
+  }
 };
 
 /// It is for contacts with a damping ratio below 0.2, under gravity, on a floor that swings and
@@ -90,81 +158,6 @@ QuickContact<V> quick_contact(ContactLaw law, const Of& of) {
   const V root = small_exponential(-quick.beta * quick.half_swing / 4);
   quick.decay = (root * root) * (root * root);
   return quick;
-}
-
-/// X and its derivatives. The free swing x is free.sine, and x' = omega_d cosine - beta sine.
-template <class V>
-Derivatives<V> QuickContact<V>::X(const Swing<V>& steady, const Swing<V>& free) const {
-  const V w2 = w * w, stiff = omega0 * omega0, loss = 2 * beta;
-  const V first = omega_d * free.cosine - beta * free.sine;
-  const V second = -loss * first - stiff * free.sine;
-  const V third = -loss * second - stiff * first;
-  const V fourth = -loss * third - stiff * second;
-  return {level + steady.sine + free.sine, w * steady.cosine + first, second - w2 * steady.sine,
-          third - w2 * w * steady.cosine, fourth + w2 * w2 * steady.sine};
-}
-
-template <class V>
-LiftOff<V> QuickContact<V>::operator()(const Touch<V>& touch, const Swing<V>& floor) const {
-  const V stiff = omega0 * omega0, loss = 2 * beta, v = touch.velocity, one = V{1};
-  const V shaking = amplitude * w * w;
-
-  // The free swing: what is left of X when constant and steady swing are taken away.
-  V value{}, rate = v;
-  if (lets_go) {
-    value = loss * v;
-    rate = stiff * v + loss * (shaking * floor.sine - gravity - loss * v);
-  }
-  Swing<V> steady = floor * answer;
-  Swing<V> free;
-  free.sine = value - level - steady.sine;
-  const V free_rate = rate - w * steady.cosine;
-  free.cosine = (free_rate + beta * free.sine) / omega_d;
-  const Derivatives<V> start = X(steady, free);
-  // The energy of a free swing does not grow. So this stays above |X'''|:
-  const V bound =
-      w * w * w * answer_size +
-      (stiff + loss * (loss + omega0)) * (absolute(free_rate) + omega0 * absolute(free.sine));
-
-  LiftOff<V> end;
-  V t = half_swing, step;
-  steady = steady * floor_turn;
-  free = {-decay * free.sine, -decay * free.cosine};
-  Derivatives<V> now;
-  for (int i = 0;; ++i) {
-    now = X(steady, free);
-    end.is_sure = now.first > 0;
-    now.first = select(end.is_sure, now.first, one);  // anything to divide by
-    step = now.step_to_zero();
-    const Answer<V> is_near = now.is_near(step, omega0);
-    end.is_sure = end.is_sure && is_near;
-    if (all(is_near) || i == most_steps) break;
-    step = select(is_near, V{}, within(step, eighth_turn / omega0));  // as far as series go
-    t = t + step;
-    steady = steady * small_turn(w * step);
-    const Swing<V> turned = free * small_turn(omega_d * step);
-    const V dying = small_exponential(-beta * step);
-    free = {dying * turned.sine, dying * turned.cosine};
-  }
-  end.t = t + step;
-  end.floor = steady * undo_answer * tiny_turn(w * step);
-  const V end_rate = now.first_after(step);
-  end.x = V{};
-  end.velocity = end_rate;
-  if (lets_go) {  // then x'' is that of a flight already
-    end.velocity = (end_rate - loss * (shaking * end.floor.sine - gravity)) / stiff;
-    end.x = -loss * end.velocity / stiff;
-  }
-
-  // It did not end before: X cannot have come up to zero in the first half of the time, starting as
-  // it did, nor in the second half, ending as it does.
-  const V half = end.t / 2, cubic = bound * half * half / 6;
-  const V after = -start.first - start.second * half / 2 - cubic;
-  const V before = end_rate - (now.second + now.third * step) * half / 2 - cubic;
-  end.is_sure = end.is_sure && end.t > 0 && -v > 0 && -start.first > 0 &&
-                after > -close * start.first && before > close * end_rate && end.velocity > 0;
-  end.velocity = select(end.is_sure, end.velocity, one);
-  return end;
 }
 
 }  // namespace bounce
