@@ -84,16 +84,19 @@ class Camera {
   double half_width_, half_height_;  // px, with the margin
 };
 
+/// Of the camera of balls in space [degrees].
+inline constexpr double usual_opening = 34;
+
 /// Where one looks at a scene from: `distance` in front of it, a little from the left and from
 /// above; or from far above, where height hardly shifts a point in the picture: a map.
 inline Camera camera_before(const Eigen::Vector3d& target, double distance, double steepness,
-                            Rect area, double opening, bool from_above) {
+                            Rect area, bool from_above) {
   if (from_above) {
     const Eigen::Vector3d eye = target + Eigen::Vector3d(0, 20 * distance, 0);
-    return {eye, target, {0, 0, -1}, area, opening / 20};
+    return {eye, target, {0, 0, -1}, area, usual_opening / 20};
   }
   const Eigen::Vector3d direction = Eigen::Vector3d(-0.10, steepness, 0.95).normalized();
-  return {target + distance * direction, target, {0, 1, 0}, area, opening};
+  return {target + distance * direction, target, {0, 1, 0}, area, usual_opening};
 }
 
 }  // namespace bounce

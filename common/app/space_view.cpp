@@ -4,14 +4,12 @@
 #include <array>
 #include <cmath>
 
-#include "app/camera.hpp"
 #include "app/drawing.hpp"
 #include "app/layout.hpp"
 #include "app/palette.hpp"
 #include "app/space_drawing.hpp"
 #include "app/space_forces.hpp"
 #include "app/space_past.hpp"
-#include "run/rows.hpp"
 
 namespace bounce {
 namespace {
@@ -19,7 +17,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr Rect inset{layout::scene.width - 216, 12, 204, 168};
-constexpr double opening = 34;  // degrees
 
 /// How much further away the camera must stand, so that the highest bounce fits: 1, 2, 4, ...
 double zoom_out(const Playback& playback, const BallInSpace& ball) {
@@ -67,8 +64,8 @@ void draw_scene(Canvas& canvas, const Playback& playback, const View& view, cons
   }
   if (view.trail) draw_trail(canvas, camera, playback, ball);
   if (is_main && ball.has_plane && ball.plane.normal.y() > 0.05) {
-    const std::array<Vector3d, 2> plumb{below(ball.plane, now), now};
-    draw_dashed_path(canvas, camera, plumb, palette::exact.faded(0.7), 1);
+    draw_dashed_path(canvas, camera, std::array{below(ball.plane, now), now},
+                     palette::exact.faded(0.7), 1);
   }
   draw_ball_in_space(canvas, camera, now, ball.radius);
   const std::vector<double> exact = playback.simulation().exact_values(playback.shown_time());
@@ -94,8 +91,7 @@ void draw_scene(Canvas& canvas, const Playback& playback, const View& view, cons
 
 Camera camera_for(const Playback& playback, const BallInSpace& ball, Rect area, bool from_above) {
   const double zoom = zoom_out(playback, ball);
-  return camera_before(target(playback, ball, zoom), ball.distance * zoom, 0.30, area, opening,
-                       from_above);
+  return camera_before(target(playback, ball, zoom), ball.distance * zoom, 0.30, area, from_above);
 }
 
 void draw_space_view(Canvas& canvas, const Playback& playback, const View& view,

@@ -197,9 +197,10 @@ TEST_CASE("the arrows between two balls of stage 5 are the force that moves them
       if (passes_over(playback, step)) continue;
       const RecordingCanvas canvas = picture_of(demo, playback);
       const Camera camera = camera_for(playback, View{});
-      const std::vector<double> before = playback.shown_values();
+      const Balls before = balls_in(playback.shown_values());
       playback.step_forward();
-      const Vector3d change = velocity(playback.shown_values(), 0) - velocity(before, 0);
+      const Balls after = balls_in(playback.shown_values());
+      const Vector3d change = after.velocity.col(0) - before.velocity.col(0);
       const Vector3d force = scene.mass[0] * change / dt;  // of ball 1 on ball 0
       std::vector<Arrow> drawn;
       for (const Arrow& arrow : canvas.arrows) {
@@ -210,8 +211,9 @@ TEST_CASE("the arrows between two balls of stage 5 are the force that moves them
         continue;
       }
       // At the point of ball 0 that is nearest to ball 1, one arrow for each; 2 cm for 1 N.
-      const Vector3d between = (position(before, 1) - position(before, 0)).normalized();
-      const Vector3d touch = position(before, 0) + scene.radius[0] * between;
+      const Vector3d place = before.position.col(0);
+      const Vector3d between = (before.position.col(1) - place).normalized();
+      const Vector3d touch = place + scene.radius[0] * between;
       const Vector3d arrow = std::min(0.5, 0.02 * std::sqrt(force.norm())) * force.normalized();
       const Point foot = camera.at(touch), to = camera.at(touch + arrow),
                   back = camera.at(touch - arrow);

@@ -10,12 +10,6 @@ namespace bounce {
 
 using Eigen::Vector3d;
 
-namespace {
-
-constexpr double opening = 34;  // degrees
-
-}  // namespace
-
 Framing framing_of(const BallsRun& balls) {
   if (balls.world().own_balls) {
     const Arrangement& start = *balls.world().own_balls;
@@ -45,9 +39,8 @@ Framing framing_of(const BallsRun& balls) {
 
 Camera camera_for(const Playback& playback, const View& view) {
   const Framing framing = framing_of(balls_of(playback));
-  const double distance = framing.size / 2 / std::tan(opening * std::numbers::pi / 360);
-  return camera_before(framing.centre, distance, framing.steepness, layout::scene, opening,
-                       view.from_above);
+  const double distance = framing.size / 2 / std::tan(usual_opening * std::numbers::pi / 360);
+  return camera_before(framing.centre, distance, framing.steepness, layout::scene, view.from_above);
 }
 
 }  // namespace bounce

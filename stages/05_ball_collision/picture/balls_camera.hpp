@@ -1,6 +1,4 @@
 #pragma once
-#include <Eigen/Core>
-#include <cstddef>
 #include <vector>
 
 #include "05_ball_collision/run/balls_world.hpp"
@@ -15,12 +13,13 @@ inline const BallsRun& balls_of(const Playback& playback) {
   return run_as<BallsRun>(playback.simulation());
 }
 
-/// Of one ball in the rows of one time [m], [m/s].
-inline Eigen::Vector3d position(const std::vector<double>& rows, std::size_t ball) {
-  return {rows[7 * ball + 1], rows[7 * ball + 2], rows[7 * ball + 3]};
-}
-inline Eigen::Vector3d velocity(const std::vector<double>& rows, std::size_t ball) {
-  return {rows[7 * ball + 4], rows[7 * ball + 5], rows[7 * ball + 6]};
+/// The balls in the rows of one time: a column for each.
+using Balls = State<Eigen::Matrix3Xd>;
+inline Balls balls_in(const std::vector<double>& rows) {
+  const auto count = static_cast<Eigen::Index>(rows.size() / 7);  // ball,x,y,z,vx,vy,vz
+  Balls balls{Eigen::Matrix3Xd(3, count), Eigen::Matrix3Xd(3, count)};
+  read_rows(rows, balls);
+  return balls;
 }
 
 /// What the camera looks at, and how much of it fits into the picture [m].

@@ -1,7 +1,6 @@
 #include "05_ball_collision/picture/balls_marks.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
 
@@ -17,64 +16,70 @@ namespace {
 
 constexpr double trail_length = 1.2;  // s
 
+/// Where each ball is at these moments. (Before a change of scene there were others.)
+template <class Points>
+std::vector<std::vector<Vector3d>> paths(const Points& points, Eigen::Index count, double from = 0,
+                                         double to = never) {
+  std::vector<std::vector<Vector3d>> all(static_cast<std::size_t>(count));
+  for (const TracePoint& point : points) {
+    if (point.t < from || point.t > to) continue;
+    const Balls balls = balls_in(point.values);
+    if (balls.position.cols() != count) continue;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      all[i].push_back(balls.position.col(static_cast<Eigen::Index>(i)));
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 void draw_trails(Canvas& canvas, const Camera& camera, const Playback& playback,
-                 std::size_t balls) {
-  for (std::size_t ball = 0; ball < balls; ++ball) {
-    std::vector<Vector3d> path;
-    for (const TracePoint& point : playback.trace()) {
-      if (point.t < playback.shown_time() - trail_length || point.t > playback.shown_time())
-        continue;
-      if (point.values.size() == 7 * balls) path.push_back(position(point.values, ball));
-    }
+                 Eigen::Index count) {
+  const double now = playback.shown_time();
+  for (const std::vector<Vector3d>& path :
+       paths(playback.trace(), count, now - trail_length, now)) {
     for (std::size_t i = 0; i + 1 < path.size(); i += 24) {
-      const std::size_t count = std::min<std::size_t>(25, path.size() - i);
+      const std::size_t points = std::min<std::size_t>(25, path.size() - i);
       const double age = 1 - static_cast<double>(i) / static_cast<double>(path.size());
-      draw_path(canvas, camera, std::span(path).subspan(i, count),
+      draw_path(canvas, camera, std::span(path).subspan(i, points),
                 palette::motion.faded(0.7 * (1 - 0.85 * age)), 1.5f);
     }
   }
 }
 
 void draw_futures(Canvas& canvas, const Camera& camera, const std::vector<TracePoint>& future,
-                  std::size_t balls, bool earlier) {
-  for (std::size_t ball = 0; ball < balls; ++ball) {
-    std::vector<Vector3d> path;
-    for (const TracePoint& point : future) {
-      if (point.values.size() == 7 * balls) path.push_back(position(point.values, ball));
-    }
+                  Eigen::Index count, bool earlier) {
+  for (const std::vector<Vector3d>& path : paths(future, count)) {
     if (earlier) draw_dashed_path(canvas, camera, path, palette::exact.faded(0.5), 1);
     if (!earlier) draw_path(canvas, camera, path, palette::motion.faded(0.3), 2);
   }
 }
 
 void draw_ghosts(Canvas& canvas, const Camera& camera, const BallCollision& scene,
-                 const std::vector<double>& exact) {
-  for (std::size_t ball = 0; 7 * ball < exact.size(); ++ball) {
-    const Vector3d at = position(exact, ball);
+                 const Balls& exact) {
+  for (Eigen::Index ball = 0; ball < exact.position.cols(); ++ball) {
+    const Vector3d at = exact.position.col(ball);
     if (!camera.sees(at)) continue;
-    const double radius = scene.radius[static_cast<Eigen::Index>(ball)];
-    const auto size = static_cast<float>(radius * camera.per_metre(at));
+    const auto size = static_cast<float>(scene.radius[ball] * camera.per_metre(at));
     draw_dashed_circle(canvas, camera.at(at), std::max(3.0f, size), palette::exact, 1.5f);
   }
 }
 
 void draw_arrows(Canvas& canvas, const Camera& camera, const BallCollision& scene,
-                 const std::vector<double>& rows, std::size_t balls) {
-  const auto at = [&](std::size_t i) {
-    return Ball{position(rows, i), velocity(rows, i), scene.radius[static_cast<Eigen::Index>(i)]};
-  };
-  for (std::size_t i = 0; i < balls; ++i) {
-    const Ball ball = at(i);
+                 const Balls& balls) {
+  const Eigen::Index count = balls.position.cols();
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Ball ball = scene.ball(balls, i);
     const Vector3d tip = ball.position + 0.25 * ball.velocity;
     if (!camera.sees(ball.position) || !camera.sees(tip) || ball.velocity.norm() < 0.02) continue;
     draw_arrow(canvas, camera.at(ball.position), camera.at(tip), palette::motion, Shaft::velocity);
   }
-  for (std::size_t i = 0; i < balls; ++i) {
-    for (std::size_t j = i + 1; j < balls; ++j) {
-      const Vector3d force = pair_force(at(i), at(j), scene.pair_contact());
-      const Vector3d touch = at(i).position - at(i).radius * meet(at(i), at(j)).e12;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    for (Eigen::Index j = i + 1; j < count; ++j) {
+      const Ball one = scene.ball(balls, i), two = scene.ball(balls, j);
+      const Vector3d force = pair_force(one, two, scene.pair_contact());
+      const Vector3d touch = one.position - one.radius * meet(one, two).e12;
       if (force.isZero() || !camera.sees(touch)) continue;
       const Vector3d arrow = force.normalized() * std::min(0.5, 0.02 * std::sqrt(force.norm()));
       draw_arrow(canvas, camera.at(touch), camera.at(touch + arrow), palette::spring);

@@ -10,7 +10,6 @@
 #include "05_ball_collision/picture/balls_camera.hpp"
 #include "05_ball_collision/picture/balls_marks.hpp"
 #include "05_ball_collision/picture/cover.hpp"
-#include "app/camera.hpp"
 #include "app/drawing.hpp"
 #include "app/layout.hpp"
 #include "app/palette.hpp"
@@ -50,8 +49,8 @@ void draw_tray(Canvas& canvas, const Camera& camera, const BallCollision& scene,
 void draw_balls(Canvas& canvas, const Camera& camera, const Playback& playback, const View& view) {
   const BallsRun& simulation = balls_of(playback);
   const BallCollision& scene = simulation.scene();
-  const std::vector<double> rows = playback.shown_values();
-  const std::size_t count = simulation.balls();
+  const Balls balls = balls_in(playback.shown_values());
+  const Eigen::Index count = balls.position.cols();
   const Framing framing = framing_of(simulation);
 
   const Plane ground{};
@@ -62,10 +61,9 @@ void draw_balls(Canvas& canvas, const Camera& camera, const Playback& playback, 
                     std::min(1.2 * framing.size, 30 * square));
   }
   draw_tray(canvas, camera, scene, 0.5 * scene.tray[0]);
-  const auto radius = [&](std::size_t i) { return scene.radius[static_cast<Eigen::Index>(i)]; };
   if (scene.floor && count <= few) {
-    for (std::size_t i = 0; i < count; ++i) {
-      draw_shadow(canvas, camera, ground, position(rows, i), radius(i));
+    for (Eigen::Index i = 0; i < count; ++i) {
+      draw_shadow(canvas, camera, ground, balls.position.col(i), scene.radius[i]);
     }
   }
   if (count <= very_few) {
@@ -81,11 +79,11 @@ void draw_balls(Canvas& canvas, const Camera& camera, const Playback& playback, 
     double speed;
   };
   std::vector<Visible> seen;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vector3d centre = position(rows, i);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto [centre, v, radius] = scene.ball(balls, i);
     if (!camera.sees(centre)) continue;
-    const float size = std::max(2.0f, static_cast<float>(radius(i)) * camera.per_metre(centre));
-    seen.push_back({camera.depth(centre), camera.at(centre), size, velocity(rows, i).norm()});
+    const float size = std::max(2.0f, static_cast<float>(radius) * camera.per_metre(centre));
+    seen.push_back({camera.depth(centre), camera.at(centre), size, v.norm()});
   }
   std::sort(seen.begin(), seen.end(),
             [](const Visible& a, const Visible& b) { return a.depth < b.depth; });
@@ -98,27 +96,25 @@ void draw_balls(Canvas& canvas, const Camera& camera, const Playback& playback, 
     canvas.ball(ball->centre, ball->radius, colour_of(ball->speed, fast));
   }
   if (view.ghost) {
-    draw_ghosts(canvas, camera, scene, simulation.exact_values(playback.shown_time()));
+    draw_ghosts(canvas, camera, scene, balls_in(simulation.exact_values(playback.shown_time())));
   }
   if (count <= very_few) {
-    if (view.forces) draw_arrows(canvas, camera, scene, rows, count);
-    draw_numbers(canvas, camera, playback, rows, count);
+    if (view.forces) draw_arrows(canvas, camera, scene, balls);
+    draw_numbers(canvas, camera, playback, balls);
   }
 }
 
 /// Which ball is under the mouse: the nearest of those.
-std::optional<std::size_t> ball_under(const Playback& playback, const View& view, Point at) {
+std::optional<Eigen::Index> ball_under(const Playback& playback, const View& view, Point at) {
   const Camera camera = camera_for(playback, view);
-  const std::vector<double> rows = playback.shown_values();
-  std::optional<std::size_t> found;
+  const Balls balls = balls_in(playback.shown_values());
+  std::optional<Eigen::Index> found;
   double nearest = 1e300;
-  for (std::size_t i = 0; i < balls_of(playback).balls(); ++i) {
-    const Vector3d centre = position(rows, i);
+  for (Eigen::Index i = 0; i < balls.position.cols(); ++i) {
+    const auto [centre, v, radius] = balls_of(playback).scene().ball(balls, i);
     if (!camera.sees(centre)) continue;
     const Point pixel = camera.at(centre);
-    const float radius =
-        static_cast<float>(balls_of(playback).scene().radius[static_cast<Eigen::Index>(i)]);
-    const float reach = std::max(10.0f, radius * camera.per_metre(centre));
+    const float reach = std::max(10.0f, static_cast<float>(radius) * camera.per_metre(centre));
     if (std::hypot(pixel.x - at.x, pixel.y - at.y) > reach || camera.depth(centre) > nearest)
       continue;
     nearest = camera.depth(centre);
@@ -127,20 +123,18 @@ std::optional<std::size_t> ball_under(const Playback& playback, const View& view
   return found;
 }
 
-void move_ball(Playback& playback, const View& view, std::size_t ball, Point to, Point speed) {
+void move_ball(Playback& playback, const View& view, Eigen::Index ball, Point to, Point speed) {
   const Camera camera = camera_for(playback, view);
-  const std::vector<double> shown = playback.shown_values();
-  const Vector3d like = position(shown, ball);
+  const Vector3d like = balls_in(playback.shown_values()).position.col(ball);
   const Vector3d place = camera.under(to, like);
   Vector3d v = camera.across(speed, like);
   if (v.norm() > fastest_throw) v *= fastest_throw / v.norm();
   playback.change([&](Simulation& simulation) {
-    std::vector<double> rows = simulation.values();
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      rows[7 * ball + 1 + axis] = place[static_cast<Eigen::Index>(axis)];
-      rows[7 * ball + 4 + axis] = v[static_cast<Eigen::Index>(axis)];
-    }
-    simulation.place(rows);
+    const BallsRun& run = run_as<BallsRun>(simulation);
+    Balls balls = run.state();
+    balls.position.col(ball) = place;
+    balls.velocity.col(ball) = v;
+    simulation.place(run.world().row(run.time(), balls));
   });
 }
 
@@ -161,10 +155,10 @@ void use_balls_picture(Demo& demo) {
         balls.world().choice.scene <= BallScene::cradle && !balls.world().own_balls;
     return on_table && balls.scene().gravity == 0 && playback.shown_time() > 6;
   };
-  const auto held = std::make_shared<std::size_t>(0);
+  const auto held = std::make_shared<Eigen::Index>(0);
   demo.is_on_ball = [held](const Playback& playback, const View& view, Point at) {
     if (balls_of(playback).balls() > few) return false;
-    const std::optional<std::size_t> ball = ball_under(playback, view, at);
+    const std::optional<Eigen::Index> ball = ball_under(playback, view, at);
     if (ball) *held = *ball;
     return ball.has_value();
   };

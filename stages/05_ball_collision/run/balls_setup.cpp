@@ -10,24 +10,18 @@ void BallsWorld::choose_scene(BallScene chosen) {
   fresh.mass = scene.mass;  // until the next start
   fresh.radius = scene.radius;
   scene = fresh;
-  choice = {chosen, 2, 0};
+  constexpr std::array<double, 5> counts{2, 16, 5, 2, 300};
+  choice = {chosen, counts[static_cast<std::size_t>(chosen)], 0};
   switch (chosen) {
     case BallScene::pair:
-      scene.gravity = 0;  // a table without friction, on which gravity has nothing to say
-      break;
     case BallScene::break_up:
-      scene.gravity = 0;
-      choice.count = 16;
-      break;
     case BallScene::cradle:
-      scene.gravity = 0;
-      choice.count = 5;
+      scene.gravity = 0;  // a table without friction, on which gravity has nothing to say
       break;
     case BallScene::tower:  // hard balls, so that the one is done before the other begins
       scene.stiffness = scene.floor_stiffness = 1e5;
       break;
     case BallScene::drop:
-      choice.count = 300;
       choice.gap = 0.0143;  // the lattice fills 35 % of the space
       scene.stiffness = scene.floor_stiffness = 2e4;
       scene.damping = scene.floor_damping = 20;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "physics/stability.hpp"
-
 namespace bounce {
 
 template class RunOf<BallsWorld>;
