@@ -45,7 +45,7 @@ Loss lose(const std::string& aside, const std::function<Input(const GameRun&)>& 
 std::function<Input(const GameRun&)> follows(const std::function<void(Input&, double)>& fault,
                                              double beside = 0) {
   return [fault, beside, last = Input{}, met = never](const GameRun& run) mutable {
-    const Sight sight = sight_of(run.settings(), run.round());
+    const PlayerView sight = view_of(run.settings(), run.round());
     const Landing next = landing(sight.ball, sight.gravity, sight.home.y() + sight.ball_radius);
     if (run.round().touches == 0) {
       last.x = next.place.x() + beside;

@@ -29,7 +29,7 @@ class ScriptedHand {
  private:
   Input now(const GameRun& run) {
     const double t = run.round().clock;
-    seen_.push_back({t, sight_of(run.settings(), run.round())});
+    seen_.push_back({t, view_of(run.settings(), run.round())});
     while (seen_.size() > 1 && seen_[1].t <= t - delay) seen_.pop_front();
     const auto& [then, sight] = seen_.front();
     // A new flight: it was touched, which shows in a velocity that grew.
@@ -59,7 +59,7 @@ class ScriptedHand {
 
   struct Seen {
     double t;
-    Sight sight;
+    PlayerView sight;
   };
   std::deque<Seen> seen_;
   std::mt19937 random_;

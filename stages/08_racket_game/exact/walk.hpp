@@ -1,12 +1,18 @@
 #pragma once
-#include <Eigen/Core>
-#include <optional>
 
 #include "08_racket_game/exact/exact.hpp"
 #include "physics/events/event_driven.hpp"
 #include "run/simulation.hpp"
 
 namespace bounce {
+
+/// A ball as it is seen from a disc that does not turn, and back as it is seen from the ground.
+inline State<Eigen::Vector3d> seen_from(const Disc& disc, const State<Eigen::Vector3d>& ball) {
+  return {ball.position - disc.centre, ball.velocity - disc.velocity};
+}
+inline State<Eigen::Vector3d> from_ground(const Disc& disc, const State<Eigen::Vector3d>& seen) {
+  return {seen.position + disc.centre, seen.velocity + disc.velocity};
+}
 
 /// A ball and a racket in uniform motion, from event to event. The walk is done in the racket's
 /// frame of reference, where the racket rests; nothing in a contact depends on who watches.
@@ -16,7 +22,7 @@ class RacketWalk {
 
   /// `scene.disc` is the racket at time `scene.since`.
   RacketWalk(const Racket& scene, double t, const Ball& ball)
-      : scene_(scene), walker_(RacketExact(scene), t, from_racket(ball, t)) {}
+      : scene_(scene), walker_(RacketExact(scene), t, seen_from(scene.disc_at(t), ball)) {}
 
   /// Passes the events up to `t`, but at most so many. Returns whether it got there.
   bool reach(double t, long long most_events) {
@@ -43,10 +49,7 @@ class RacketWalk {
   Phase phase() const { return walker_.phase(); }
   const Ball& seen_at_last_event() const { return walker_.state_at_last_event(); }
 
-  Ball to_ground(const Ball& seen, double t) const {
-    const Disc disc = scene_.disc_at(t);
-    return {seen.position + disc.centre, seen.velocity + disc.velocity};
-  }
+  Ball to_ground(const Ball& seen, double t) const { return from_ground(scene_.disc_at(t), seen); }
 
   template <class Self, class Visit>
   static void remembered(Self& self, Visit& visit) {
@@ -65,10 +68,6 @@ class RacketWalk {
     } catch (const RimReached&) {
       dead_end_ = when;
     }
-  }
-  Ball from_racket(const Ball& ball, double t) const {
-    const Disc disc = scene_.disc_at(t);
-    return {ball.position - disc.centre, ball.velocity - disc.velocity};
   }
 
   Racket scene_;

@@ -1,6 +1,6 @@
 #pragma once
-#include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -18,6 +18,10 @@ struct Input {
   double swing = 0;               // 1: up; 0: down
   double assist = 0;              // how much of the aim is taken off the player, from 0 to 1
 };
+/// All of it, for what notes, reads or keeps inputs; also of one that must not change.
+inline auto numbers_of(auto& input) {
+  return std::array{&input.x, &input.z, &input.tilt_x, &input.tilt_z, &input.swing, &input.assist};
+}
 
 namespace rules {
 inline constexpr double degree = std::numbers::pi / 180;

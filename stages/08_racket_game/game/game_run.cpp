@@ -1,12 +1,9 @@
 #include "08_racket_game/game/game_run.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "08_racket_game/game/round_step.hpp"
 #include "08_racket_game/run/racket_steps.hpp"
-#include "physics/events/event_driven.hpp"
 #include "physics/remembered.hpp"
 #include "run/rows.hpp"
 
@@ -23,8 +20,7 @@ std::vector<Method> GameRun::methods() const {
 }
 
 Traits GameRun::traits() const {
-  static const char* names[] = {"human", "autopilot", "blind", "idle"};
-  const std::string player = names[static_cast<int>(settings_.player)];
+  const std::string& player = player_names[static_cast<std::size_t>(settings_.player)];
   Traits all{"x,y,z,vx,vy,vz", settings_.contact_numbers()};
   all.cuts_steps = true;
   all.pieces_per_step =
@@ -43,14 +39,7 @@ std::vector<double> GameRun::values() const {
   return row.take();
 }
 
-Racket GameRun::scene_now() const {
-  Racket scene = settings_.racket;
-  scene.gravity = gravity();
-  scene.disc = disc();
-  scene.side = round_.side;
-  scene.through = round_.through;
-  return scene;
-}
+Racket GameRun::scene_now() const { return scene_of(settings_, round_, disc()); }
 
 Energy GameRun::energy() const { return scene_now().energy(0, round_.ball); }
 
@@ -106,7 +95,7 @@ void GameRun::one_step(double dt) {
     }
   } else if (settings_.player == PlayerKind::autopilot &&
              (round_.steps == 0 || round_.input_age >= rules::input_time)) {
-    give(autopilot(sight_of(settings_, round_)));
+    give(autopilot(view_of(settings_, round_)));
   }
   const double parts = std::ceil(dt / longest_step - 1e-9);
   if (parts > 1e6) {
@@ -131,9 +120,8 @@ void GameRun::want(Input input) {
 }
 
 void GameRun::use_next_mode() {
-  const std::vector<Parameter> all = parameters();
-  const Choice& mode = std::get<Choice>(find_parameter(all, "mode").value);
-  mode.select((mode.selected() + 1) % mode.names.size());
+  const std::size_t next = (settings_.mode + std::size_t{1}) % mode_names.size();
+  find_parameter(parameters(), "mode").set(mode_names[next]);
   round_.points.best = 0;  // that was of the mode before
 }
 

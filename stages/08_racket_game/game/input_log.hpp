@@ -1,8 +1,6 @@
 #pragma once
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,10 +35,6 @@ struct InputLog {
 
 inline constexpr const char* input_log_first_line = "bounce input, version 1";
 
-inline std::array<double, 6> numbers_of(const Input& input) {
-  return {input.x, input.z, input.tilt_x, input.tilt_z, input.swing, input.assist};
-}
-
 /// As readable text, with numbers in decimals that read back to the same bits.
 inline void write_input_log(const std::string& path, const InputLog& log) {
   std::string text = std::string(input_log_first_line) + "\n";
@@ -48,7 +42,9 @@ inline void write_input_log(const std::string& path, const InputLog& log) {
   text += "dt " + to_text(log.dt) + "\nmethod " + log.method + "\n";
   for (const auto& [name, value] : log.parameters) text += "set." + name + " " + value + "\n";
   for (const InputLog::Entry& entry : log.entries) {
-    text += "input " + std::to_string(entry.step) + "," + to_text(numbers_of(entry.input)) + "\n";
+    text += "input " + std::to_string(entry.step);
+    for (const double* number : numbers_of(entry.input)) text += "," + to_text(*number);
+    text += "\n";
   }
   text += "end\n";
   OutputFile file("--record-input", path);
@@ -81,10 +77,8 @@ inline InputLog read_input_log(const std::string& path) {
       const std::vector<std::string> all = split(rest);
       if (all.size() != 7) file.refuse_line("input: '" + rest + "' must be 7 numbers");
       InputLog::Entry entry{file.whole_number(word, all[0], {0, 1e15}), {}};
-      Input& input = entry.input;
       std::size_t i = 1;
-      for (double* number :
-           {&input.x, &input.z, &input.tilt_x, &input.tilt_z, &input.swing, &input.assist}) {
+      for (double* number : numbers_of(entry.input)) {
         *number = file.number(word, all[i++], Simulation::valid_number);
       }
       log.entries.push_back(entry);

@@ -1,8 +1,9 @@
 #pragma once
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "08_racket_game/game/game.hpp"
 #include "physics/events/closed_form.hpp"
@@ -11,9 +12,11 @@
 namespace bounce {
 
 enum class PlayerKind { human, autopilot, blind, idle };
+/// As `--player` calls them. The last is the bare physics, without the game.
+inline const std::vector<std::string> player_names{"human", "autopilot", "blind", "idle", "none"};
 
 /// What a player sees.
-struct Sight {
+struct PlayerView {
   State<Eigen::Vector3d> ball;
   double ball_radius;    // m
   double gravity;        // m/s^2
@@ -44,14 +47,14 @@ inline Landing landing(const State<Eigen::Vector3d>& ball, double gravity, doubl
 /// The autopilot has the player's means and no others. It goes where the ball will land, tilts the
 /// racket so that the ball comes to its aim, mostly the middle of the court, and swings at the
 /// right moment.
-inline Input autopilot(const Sight& sight) {
-  const double swing = swing_speed(sight.gravity);
-  const double meeting = sight.home.y() + sight.ball_radius + rules::stroke / 2;
-  const Landing next = landing(sight.ball, sight.gravity, meeting);
+inline Input autopilot(const PlayerView& view) {
+  const double swing = swing_speed(view.gravity);
+  const double meeting = view.home.y() + view.ball_radius + rules::stroke / 2;
+  const Landing next = landing(view.ball, view.gravity, meeting);
   Input input;
   if (next.after == never) {  // it is low: stay below it, and lift it
-    input.x = sight.ball.position.x();
-    input.z = sight.ball.position.z();
+    input.x = view.ball.position.x();
+    input.z = view.ball.position.z();
     input.swing = 1;
     return input;
   }
@@ -60,14 +63,14 @@ inline Input autopilot(const Sight& sight) {
 
   // A racket that leans by a small angle a, and meets the ball with the speed w, changes the ball's
   // velocity along the ground by (1 + e) w a. The flight that follows lasts T.
-  const double e = sight.restitution, w = next.speed + swing;
-  const double T = 2 * (e * w + swing) / sight.gravity;
+  const double e = view.restitution, w = next.speed + swing;
+  const double T = 2 * (e * w + swing) / view.gravity;
   const auto tilt = [&](double place, double middle, double velocity) {
     const double wanted = (middle - place) / T;
     return std::clamp((wanted - velocity) / ((1 + e) * w) / rules::largest_tilt, -1.0, 1.0);
   };
-  input.tilt_x = tilt(next.place.x(), sight.aim.x(), sight.ball.velocity.x());
-  input.tilt_z = tilt(next.place.z(), sight.aim.z(), sight.ball.velocity.z());
+  input.tilt_x = tilt(next.place.x(), view.aim.x(), view.ball.velocity.x());
+  input.tilt_z = tilt(next.place.z(), view.aim.z(), view.ball.velocity.z());
 
   // Half the stroke before the meeting, and the time to get to speed.
   const double lead = rules::stroke / 2 / swing + 0.02;
@@ -77,10 +80,10 @@ inline Input autopilot(const Sight& sight) {
 
 /// Takes a share of the aim off the player: the place and the lean, never the swing, and never the
 /// physics.
-inline Input assisted(Input input, const Sight& sight) {
+inline Input assisted(Input input, const PlayerView& view) {
   const double share = std::clamp(input.assist, 0.0, 1.0);
   if (share == 0) return input;
-  const Input aim = autopilot(sight);
+  const Input aim = autopilot(view);
   input.x += share * (aim.x - input.x);
   input.z += share * (aim.z - input.z);
   input.tilt_x += share * aim.tilt_x;

@@ -1,6 +1,4 @@
 #pragma once
-#include <Eigen/Core>
-#include <algorithm>
 #include <cstdint>
 
 #include "08_racket_game/game/game.hpp"
@@ -8,7 +6,6 @@
 #include "08_racket_game/game/players.hpp"
 #include "08_racket_game/game/points.hpp"
 #include "08_racket_game/run/racket_setup.hpp"
-#include "physics/contact.hpp"
 
 namespace bounce {
 
@@ -21,11 +18,6 @@ struct Settings : RacketSetup {
   /// What machines do in the first mode is counted in hits only.
   bool counts_points() const { return player == PlayerKind::human || mode != keep_up; }
 };
-
-inline const char* mode_name(const Settings& settings) {
-  static constexpr const char* names[] = {"keep-up", "target", "blind"};
-  return names[settings.mode];
-}
 
 /// One round of the game, from the serve to the loss: all that the next step depends on.
 struct Round {
@@ -59,10 +51,7 @@ struct Round {
       visit("grip", follower->velocity);
     }
     for (auto* input : {&self.from, &self.to}) {
-      for (auto* number :
-           {&input->x, &input->z, &input->tilt_x, &input->tilt_z, &input->swing, &input->assist}) {
-        visit("input", *number);
-      }
+      for (auto* number : numbers_of(*input)) visit("input", *number);
     }
     visit("input_age", self.input_age);
     visit("clock", self.clock);
@@ -127,7 +116,7 @@ inline Eigen::Vector3d aim_after(int hits, const Settings& settings, const Round
   return home + target_after(hits, settings.seed, round.number);
 }
 
-inline Sight sight_of(const Settings& settings, const Round& round) {
+inline PlayerView view_of(const Settings& settings, const Round& round) {
   return {round.ball,
           settings.racket.radius,
           gravity_of(settings, round),
@@ -145,15 +134,13 @@ inline Round begin_round(const Settings& settings, int number, int best) {
   const Eigen::Vector3d home = settings.racket.disc.centre;
   round.from.x = round.to.x = home.x();
   round.from.z = round.to.z = home.z();
-  if (settings.player == PlayerKind::blind) {
-    round.ball.position = home;
-    round.ball.position.y() += settings.racket.radius + blind_start(settings).top + settings.knock;
-    round.ball.velocity.setZero();
-  } else if (settings.on_beat()) {
-    round.ball.position = home;
+  if (is_blind(settings)) {
+    const double radius = settings.racket.radius;
+    round.ball = {home, {0, 0, 0}};
     round.ball.position.y() +=
-        settings.racket.radius + rules::stroke / 2 + beat_of(settings).top(settings.racket.gravity);
-    round.ball.velocity.setZero();
+        settings.on_beat()
+            ? radius + rules::stroke / 2 + beat_of(settings).top(settings.racket.gravity)
+            : radius + blind_start(settings).top + settings.knock;
   } else {
     round.ball.velocity += Eigen::Vector3d(0, 1.2, 0);
     round.ball.velocity += push(0.13, 0.25, settings.seed, static_cast<std::uint64_t>(number), 0);
@@ -169,6 +156,16 @@ inline Disc disc_of(const Settings& settings, const Round& round) {
   disc.normal = round.grip.normal();
   disc.centre += round.grip.shift();
   return disc;
+}
+
+/// The law of now, with the ball on its present side of that disc.
+inline Racket scene_of(const Settings& settings, const Round& round, const Disc& disc) {
+  Racket scene = settings.racket;
+  scene.gravity = gravity_of(settings, round);
+  scene.disc = disc;
+  scene.side = round.side;
+  scene.through = round.through;
+  return scene;
 }
 
 }  // namespace bounce

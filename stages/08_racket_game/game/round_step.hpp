@@ -1,5 +1,4 @@
 #pragma once
-#include <Eigen/Core>
 #include <algorithm>
 #include <cstdint>
 
@@ -31,7 +30,7 @@ inline Disc move_racket(const Settings& settings, Round& round, double dt) {
   if (settings.on_beat()) {  // in the middle, and level: only the swing is left to do
     now = {home.x(), home.z(), 0, 0, round.to.swing, 0};
   }
-  now = assisted(now, sight_of(settings, round));
+  now = assisted(now, view_of(settings, round));
   return follow(round.grip, now, home, disc_radius_of(settings, round),
                 swing_speed(gravity_of(settings, round)), dt);
 }
@@ -78,12 +77,7 @@ void step(const Settings& settings, Round& round, double dt, const MoveBall& mov
   round.input_age += dt;
   if (round.score.lost) return;
 
-  Racket scene = settings.racket;
-  scene.gravity = gravity_of(settings, round);
-  scene.disc = disc;
-  scene.since = 0;
-  scene.side = round.side;
-  scene.through = round.through;
+  Racket scene = scene_of(settings, round, disc);
   const Eigen::Vector3d before = round.ball.velocity - scene.disc.velocity;
   const double up = round.ball.velocity.y();
   const long long touches = move_ball(scene, round.ball, dt);

@@ -10,7 +10,6 @@
 #include "app/drawing.hpp"
 #include "app/palette.hpp"
 #include "app/space_drawing.hpp"
-#include "run/rows.hpp"
 
 namespace bounce {
 
@@ -64,8 +63,7 @@ void draw_sky(Canvas& canvas, const Camera& camera, Rect area, double floor) {
     draw_rect(canvas, {area.x, top, area.width, std::min(height, horizon - top)},
               zenith.towards(palette::paper, (i + 0.5) / strips));
   }
-  const std::array<Point, 2> line{Point{area.x, horizon}, Point{area.right(), horizon}};
-  canvas.line(line, palette::grid_major, 1);
+  draw_line(canvas, {area.x, horizon}, {area.right(), horizon}, palette::grid_major, 1);
 }
 
 void draw_floor(Canvas& canvas, const Camera& camera, double floor, const Vector3d& centre) {
@@ -110,10 +108,9 @@ void draw_disc_shadow(Canvas& canvas, const Camera& camera, const Disc& disc, do
 
 void draw_game_trail(Canvas& canvas, const Camera& camera, std::span<const TrailPoint> trail) {
   for (std::size_t i = 0; i + 4 < trail.size(); i += 4) {
-    const std::array<Vector3d, 2> piece{trail[i].place, trail[i + 4].place};
     const double share = std::clamp(1 - trail[i].age / trail_lasts, 0.0, 1.0);
-    draw_path(canvas, camera, piece, palette::exact.faded(0.55 * share),
-              static_cast<float>(2 + 5 * share));
+    draw_path(canvas, camera, std::array{trail[i].place, trail[i + 4].place},
+              palette::exact.faded(0.55 * share), static_cast<float>(2 + 5 * share));
   }
 }
 

@@ -117,8 +117,13 @@ void GameView::draw_scene(Canvas& canvas, const Court& court, double t,
   }
 }
 
-void GameView::draw_live(Canvas& canvas, const Playback& playback, const View& view) {
+void GameView::draw_court(Canvas& canvas, const Playback& playback, const View& view) {
   Court court = court_of(playback.simulation());
+  if (again_.is_on()) {
+    court.ball = again_.now().ball;
+    court.racket.disc = again_.now().disc;
+    return draw_scene(canvas, court, again_.now().t, again_.trail(), view);
+  }
   court.ball = state_in<Vector3d>(playback.shown_values());
   const double now = playback.shown_time();
   std::vector<TrailPoint> trail;
@@ -129,23 +134,12 @@ void GameView::draw_live(Canvas& canvas, const Playback& playback, const View& v
   draw_scene(canvas, court, now, trail, view);
 }
 
-void GameView::draw_again(Canvas& canvas, const Playback& playback, const View& view) {
-  Court court = court_of(playback.simulation());
-  court.ball = again_.now().ball;
-  court.racket.disc = again_.now().disc;
-  draw_scene(canvas, court, again_.now().t, again_.trail(), view);
-}
-
 void GameView::draw(Canvas& canvas, const Playback& playback, const View& view) {
   const GameRun* game = run_if<GameRun>(playback.simulation());
   area_ = game ? view.whole : layout::scene;
   again_.follow(playback);
   canvas.push_clip(area_);
-  if (again_.is_on()) {
-    draw_again(canvas, playback, view);
-  } else {
-    draw_live(canvas, playback, view);
-  }
+  draw_court(canvas, playback, view);
   if (game) {
     const bool blind = game->settings().player == PlayerKind::blind;
     if (blind) draw_blind_history(canvas, *game, playback, area_);

@@ -1,11 +1,9 @@
 #pragma once
-#include <Eigen/Core>
 #include <memory>
 #include <optional>
 #include <span>
 
 #include "08_racket_game/picture/loss_again.hpp"
-#include "app/camera.hpp"
 #include "app/demo.hpp"
 
 namespace bounce {
@@ -24,8 +22,7 @@ class GameView {
   Camera camera_for(const Court& court, double t);
   void draw_scene(Canvas& canvas, const Court& court, double t, std::span<const TrailPoint> trail,
                   const View& view);
-  void draw_live(Canvas& canvas, const Playback& playback, const View& view);
-  void draw_again(Canvas& canvas, const Playback& playback, const View& view);
+  void draw_court(Canvas& canvas, const Playback& playback, const View& view);
 
   Rect area_{0, 0, 1280, 720};
   Eigen::Vector3d focus_{0, 0, 0};  // what the camera looks at, before it is raised

@@ -39,19 +39,17 @@ class Hands {
     const Eigen::Vector3d home = run.settings().racket.disc.centre;
     if (controls.mouse_moved) {
       if (const auto place = view.on_racket_plane(controls.mouse)) {
-        aim_.x = place->x() - home.x();
-        aim_.z = place->z() - home.z();
+        aim_ = *place - home;
       }
     }
     const double reach = walking_speed * std::min(controls.seconds, 0.1);
-    aim_.x += reach * (controls.right - controls.left + controls.move_x);
-    aim_.z += reach * (controls.down - controls.up + controls.move_z);
-    aim_.x = std::clamp(aim_.x, -rules::court, rules::court);
-    aim_.z = std::clamp(aim_.z, -rules::court, rules::court);
+    aim_.x() += reach * (controls.right - controls.left + controls.move_x);
+    aim_.z() += reach * (controls.down - controls.up + controls.move_z);
+    aim_ = aim_.cwiseMax(-rules::court).cwiseMin(rules::court);
 
     Input input;
-    input.x = home.x() + aim_.x;
-    input.z = home.z() + aim_.z;
+    input.x = home.x() + aim_.x();
+    input.z = home.z() + aim_.z();
     input.tilt_x = controls.d - controls.a + controls.tilt_x;
     input.tilt_z = controls.s - controls.w + controls.tilt_z;
     input.swing = controls.swings() ? 1 : 0;
@@ -65,7 +63,7 @@ class Hands {
   void keep_best(GameRun& run) {
     if (run.settings().player != PlayerKind::human || run.is_replay()) return;
     const double assist = std::max(run.settings().assist, 100 * run.round().points.assist);
-    const std::string name = std::string("racket_game_") + mode_name(run.settings()) + "_" +
+    const std::string name = "racket_game_" + mode_names[run.settings().mode] + "_" +
                              std::to_string(std::lround(assist));
     if (name != best_name_) {
       best_name_ = name;
@@ -74,9 +72,7 @@ class Hands {
     if (run.round().points.best > best_) keep_number(name, best_ = run.round().points.best);
   }
 
-  struct Aim {
-    double x = 0, z = 0;
-  } aim_;
+  Eigen::Vector3d aim_{0, 0, 0};  // from home; its height does not count
   std::string best_name_;
   int best_ = 0;
 };

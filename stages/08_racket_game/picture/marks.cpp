@@ -22,8 +22,8 @@ void draw_distance(Canvas& canvas, const Camera& camera, const Court& court) {
   const double distance = (below - centre).norm();
   if (distance < court.racket.disc.radius || !camera.sees(below)) return;
   draw_dashed_path(canvas, camera, std::array{centre, below}, palette::ink, 2);
-  const Point end = camera.at(below);
-  draw_label(canvas, {end.x - 34, end.y - 8}, with_unit(distance, "m"), palette::ink, Align::right);
+  draw_label_at(canvas, camera, below, {-34, -8}, with_unit(distance, "m"), palette::ink,
+                Align::right);
 }
 
 }  // namespace
@@ -37,8 +37,7 @@ void draw_landing(Canvas& canvas, const Camera& camera, const Court& court) {
   const double size = radius * (0.5 + 1.5 * std::min(1.0, next.after));
   draw_path(canvas, camera, circle(place, Vector3d::UnitY(), size, 40), accent, 2);
   for (const Vector3d& arm : {Vector3d(0.05, 0, 0), Vector3d(0, 0, 0.05)}) {
-    const std::array<Vector3d, 2> line{place - arm, place + arm};
-    draw_path(canvas, camera, line, accent, 2);
+    draw_path(canvas, camera, std::array<Vector3d, 2>{place - arm, place + arm}, accent, 2);
   }
 }
 
@@ -52,13 +51,10 @@ void draw_goal(Canvas& canvas, const Camera& camera, const Court& court) {
                                        corner(-half, high)};
     draw_patch(canvas, camera, band, accent.faded(0.10));
     for (const double edge : {low, high}) {
-      const std::array<Vector3d, 2> line{corner(-half, edge), corner(half, edge)};
-      draw_dashed_path(canvas, camera, line, accent.faded(0.6), 1);
+      draw_dashed_path(canvas, camera, std::array{corner(-half, edge), corner(half, edge)},
+                       accent.faded(0.6), 1);
     }
-    if (const Vector3d side = corner(half, low); camera.sees(side)) {
-      draw_label(canvas, {camera.at(side).x + 8, camera.at(side).y - 20}, "a top here: + 1",
-                 accent);
-    }
+    draw_label_at(canvas, camera, corner(half, low), {8, -20}, "a top here: + 1", accent);
   }
   if (settings.mode == Settings::target) {
     const Round& round = court.game->round();
@@ -68,9 +64,8 @@ void draw_goal(Canvas& canvas, const Camera& camera, const Court& court) {
       draw_path(canvas, camera, circle(middle, Vector3d::UnitY(), radius, 48), accent,
                 radius < 0.15 ? 3.0f : 1.5f);
     }
-    if (const Vector3d below = middle + Vector3d(0, 0, 0.4); camera.sees(below)) {
-      draw_label(canvas, camera.at(below), "send it here", accent, Align::centre);
-    }
+    draw_label_at(canvas, camera, middle + Vector3d(0, 0, 0.4), {0, 0}, "send it here", accent,
+                  Align::centre);
   }
 }
 
@@ -78,13 +73,11 @@ void draw_beat(Canvas& canvas, Point centre, double phase, double flash) {
   constexpr float radius = 54;
   if (flash > 0) canvas.disc(centre, radius, accent.faded(0.7 * flash));
   canvas.circle(centre, radius, palette::ink, 2);
-  const std::array<Point, 2> top{Point{centre.x, centre.y - radius - 10},
-                                 Point{centre.x, centre.y - radius + 10}};
-  canvas.line(top, palette::ink, 4);
+  const float top = centre.y - radius;
+  draw_line(canvas, {centre.x, top - 10}, {centre.x, top + 10}, palette::ink, 4);
   const auto angle = static_cast<float>(2 * std::numbers::pi * phase);
   const Point tip{centre.x + radius * std::sin(angle), centre.y - radius * std::cos(angle)};
-  const std::array<Point, 2> hand{centre, tip};
-  canvas.line(hand, accent, 4);
+  draw_line(canvas, centre, tip, accent, 4);
   canvas.text({centre.x, centre.y + radius + 10}, "swing when it is up", palette::ink,
               Align::centre, TextSize::normal);
 }
@@ -98,28 +91,23 @@ void draw_arrows(Canvas& canvas, const Camera& camera, const Court& court, const
   if (touch != nullptr && camera.sees(touch->nearest.point)) {
     const Vector3d at = touch->nearest.point;
     for (const Vector3d& arm : {Vector3d(0.04, 0, 0.04), Vector3d(0.04, 0, -0.04)}) {
-      const std::array<Vector3d, 2> line{at - arm, at + arm};
-      draw_path(canvas, camera, line, palette::ink, 2);
+      draw_path(canvas, camera, std::array<Vector3d, 2>{at - arm, at + arm}, palette::ink, 2);
     }
     const double weight = court.racket.mass * court.racket.gravity;
     if (weight > 0 && touch->push.norm() > 0) {
       const double length = 0.06 * std::sqrt(touch->push.norm() / weight);
       const Vector3d tip = at + length * touch->push.normalized();
       arrow(at, tip, palette::spring, Shaft::force);
-      if (camera.sees(tip)) {
-        draw_label(canvas, {camera.at(tip).x + 12, camera.at(tip).y - 8},
-                   "push " + with_unit(touch->push.norm(), "N"), palette::spring);
-      }
+      draw_label_at(canvas, camera, tip, {12, -8}, "push " + with_unit(touch->push.norm(), "N"),
+                    palette::spring);
     }
-    draw_label(canvas, {camera.at(at).x + 14, camera.at(at).y + 8}, "touch", palette::ink);
+    draw_label_at(canvas, camera, at, {14, 8}, "touch", palette::ink);
   }
   draw_distance(canvas, camera, court);
   const Vector3d ball = now.ball.position, tip = ball + 0.15 * now.ball.velocity;
   arrow(ball, tip, palette::motion, Shaft::velocity);
-  if (camera.sees(tip)) {
-    draw_label(canvas, {camera.at(tip).x + 14, camera.at(tip).y - 6},
-               with_unit(now.ball.velocity.norm(), "m/s"), palette::motion);
-  }
+  draw_label_at(canvas, camera, tip, {14, -6}, with_unit(now.ball.velocity.norm(), "m/s"),
+                palette::motion);
 }
 
 }  // namespace bounce

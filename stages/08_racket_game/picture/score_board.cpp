@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdlib>
 #include <vector>
 
+#include "app/diagram.hpp"
 #include "app/drawing.hpp"
 #include "app/keys.hpp"
 #include "app/palette.hpp"
@@ -20,7 +19,7 @@ std::string title_of(const Settings& settings) {
   if (settings.player == PlayerKind::blind) return "blind: a sine that never looks";
   const std::string player = players[static_cast<int>(settings.player)];
   if (player.empty()) return modes[settings.mode];
-  return settings.mode == Settings::keep_up ? player : player + ": " + mode_name(settings);
+  return settings.mode == Settings::keep_up ? player : player + ": " + mode_names[settings.mode];
 }
 
 std::string hits_in_words(const Round& round) {
@@ -153,20 +152,18 @@ void draw_blind_history(Canvas& canvas, const GameRun& run, const Playback& play
   draw_frame(canvas, box, palette::grid_major, 1);
   const double home = run.settings().racket.disc.centre.y();
   const double now = playback.shown_time(), first = std::max(0.0, now - seconds);
-  const auto at = [&](double t, double height) {
-    return Point{box.x + static_cast<float>((t - first) / seconds) * box.width,
-                 box.bottom() - 24 - static_cast<float>(height / 1.7) * (box.height - 40)};
-  };
+  const Diagram diagram{
+      {box.x, box.y + 16, box.width, box.height - 40}, {first, first + seconds}, {0, 1.7}};
   const BlindStart start = blind_start(run.settings());
   const double top = start.top + run.settings().racket.radius;
-  const std::array<Point, 2> level{at(first, top), at(first + seconds, top)};
-  draw_dashed(canvas, level, palette::exact, 1);
+  draw_dashed(canvas, std::array{diagram.at(first, top), diagram.at(first + seconds, top)},
+              palette::exact, 1);
   std::vector<Point> ball, racket;
   const auto& trace = playback.trace();
   for (std::size_t i = 0; i < trace.size(); i += 8) {
     if (trace[i].t < first) continue;
-    ball.push_back(at(trace[i].t, trace[i].column("y") - home));
-    racket.push_back(at(trace[i].t, start.swing.height(trace[i].t, start.phase)));
+    ball.push_back(diagram.at(trace[i].t, trace[i].column("y") - home));
+    racket.push_back(diagram.at(trace[i].t, start.swing.height(trace[i].t, start.phase)));
   }
   if (ball.size() > 1) canvas.line(ball, palette::motion, 2);
   if (racket.size() > 1) canvas.line(racket, palette::spring, 1.5f);

@@ -1,9 +1,7 @@
 #pragma once
-#include <string>
 
 #include "08_racket_game/game/game_run.hpp"
 #include "08_racket_game/picture/loss_again.hpp"
-#include "app/canvas.hpp"
 #include "app/demo.hpp"
 #include "app/playback.hpp"
 

@@ -1,5 +1,4 @@
 #pragma once
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,14 +22,17 @@ class RacketContacts {
   enum class Place { face, rim, beyond };
   enum class Event { overlap, push, inside, height };
 
-  RacketContacts(const Racket& scene, const Ball& ball) : RacketContacts(scene) {
+  RacketContacts(const Racket& scene, const Ball& ball)
+      : scene_(scene), gravity_(0, -scene.gravity, 0), side_(scene.side) {
     const InRimPlane at = in_rim_plane(ball);
     if (at.x < 0) {
       place_ = Place::face;
     } else {
       place_ = scene.through && at.y < 0 ? Place::beyond : Place::rim;
     }
-    const auto [overlap, push] = overlap_and_push(at);
+    const Gap gap = gap_of(place_, at);
+    const double overlap = scene_.radius - gap.d;
+    const double push = scene_.stiffness * overlap - scene_.damping * gap.rate(at);
     if (overlap > 0) phase_ = only_pushes() && push <= 0 ? Phase::let_go : Phase::touch;
   }
 
@@ -55,7 +57,7 @@ class RacketContacts {
     const double g = gravity_.norm();
     // A ball that is below the whole racket and falls does not come back.
     const double low = -dot(start.position, gravity_) / std::max(g, 1e-300);
-    const double away = disc_radius_ + radius_;
+    const double away = scene_.disc.radius + scene_.radius;
     const double until =
         g > 0 ? time_to_fall(std::max(0.0, low + away), -dot(start.velocity, gravity_) / g, g)
               : never;
@@ -63,19 +65,19 @@ class RacketContacts {
       const InRimPlane at = in_rim_plane(fly(start, t));
       const Gap gap =
           at.x < 0 ? Gap{std::abs(at.y), 0, at.y < 0 ? -1.0 : 1.0} : gap_of(Place::rim, at);
-      return BoundedValue{gap.d - radius_, gap.rate(at), gap.bend(at, gravity_), g, 0};
+      return BoundedValue{gap.d - scene_.radius, gap.rate(at), gap.bend(at, gravity_), g, 0};
     };
     const BoundedValue first = gap_at(0);
     // From a touch without speed it can only be pulled off.
     const bool hangs = first.value <= 0 && first.slope == 0 && first.bend > 0;
-    const double begin = hangs ? std::sqrt(1e-12 * radius_ / first.bend) : 0;
+    const double begin = hangs ? std::sqrt(1e-12 * scene_.radius / first.bend) : 0;
     const FirstZero touch = first_zero(gap_at, begin, until, 1000);
     lands_ = touch.found;
     return touch.found || touch.t <= until ? touch.t : never;
   }
   void land(double /*t*/, Ball& ball) {
     if (!lands_) return;  // the search goes on from here
-    side_ = dot(normal_, ball.position) < 0 ? -1 : 1;
+    side_ = dot(scene_.disc.normal, ball.position) < 0 ? -1 : 1;
     place_ = in_rim_plane(ball).x < 0 ? Place::face : Place::rim;
     phase_ = Phase::touch;
   }
@@ -86,10 +88,12 @@ class RacketContacts {
     if (phase_ != Phase::touch) return gravity_;
     const InRimPlane at = in_rim_plane(ball);
     const Gap gap = gap_of(place_, at);
-    const double push = stiffness_ * (radius_ - gap.d) - damping_ * gap.rate(at);
-    return gravity_ + push / mass_ * (gap.dx * at.out + gap.dy * at.up);
+    const double push = scene_.stiffness * (scene_.radius - gap.d) - scene_.damping * gap.rate(at);
+    return gravity_ + push / scene_.mass * (gap.dx * at.out + gap.dy * at.up);
   }
-  double time_scale() const { return 1 / (std::sqrt(stiffness_ / mass_) + damping_ / mass_); }
+  double time_scale() const {
+    return 1 / (std::sqrt(scene_.stiffness / scene_.mass) + scene_.damping / scene_.mass);
+  }
 
   std::array<Event, 4> events(const Ball&, double) const {
     return {Event::overlap, Event::push, Event::inside, Event::height};
@@ -103,16 +107,16 @@ class RacketContacts {
     switch (event) {
       case Event::overlap:  // a contact that only pushes has let go before
         if (phase_ == Phase::touch && only_pushes()) break;
-        return {radius_ - gap.d, -rate};
+        return {scene_.radius - gap.d, -rate};
       case Event::push: {
         if (!only_pushes()) break;
         const double sign = phase_ == Phase::touch ? 1 : -1;
-        return {sign * (stiffness_ * (radius_ - gap.d) - damping_ * rate),
-                sign * (-stiffness_ * rate - damping_ * gap.bend(at, a))};
+        return {sign * (scene_.stiffness * (scene_.radius - gap.d) - scene_.damping * rate),
+                sign * (-scene_.stiffness * rate - scene_.damping * gap.bend(at, a))};
       }
       case Event::inside: {  // by squares, which are smooth at the disc's centre as well
         const double sign = place_ == Place::face ? -1 : 1;
-        return {sign * at.x * (at.lateral + disc_radius_), sign * 2 * at.lateral * at.vx};
+        return {sign * at.x * (at.lateral + scene_.disc.radius), sign * 2 * at.lateral * at.vx};
       }
       case Event::height:
         if (place_ != Place::beyond) break;
@@ -125,7 +129,7 @@ class RacketContacts {
   /// Without a force any step is accurate, and might jump over the rest of the overlap.
   bool resolves(const Ball& before, const Ball& after, double) const {
     return place_ == Place::face || phase_ == Phase::touch ||
-           (after.position - before.position).norm() <= radius_ / 2;
+           (after.position - before.position).norm() <= scene_.radius / 2;
   }
 
   void pass(Event event, double /*t*/, Ball& ball) {
@@ -152,18 +156,7 @@ class RacketContacts {
   }
 
  private:
-  explicit RacketContacts(const Racket& scene)
-      : normal_(scene.disc.normal),
-        disc_radius_(scene.disc.radius),
-        gravity_(0, -scene.gravity, 0),
-        mass_(scene.mass),
-        radius_(scene.radius),
-        stiffness_(scene.stiffness),
-        damping_(scene.damping),
-        law_(scene.contact),
-        side_(scene.side) {}
-
-  bool only_pushes() const { return law_ == ContactLaw::push_only && damping_ > 0; }
+  bool only_pushes() const { return scene_.contact == ContactLaw::push_only && scene_.damping > 0; }
 
   /// The ball in the plane through the disc's axis and the ball's centre: x outwards from the
   /// rim, y up from the disc on the ball's side.
@@ -176,12 +169,12 @@ class RacketContacts {
   };
   InRimPlane in_rim_plane(const Ball& ball) const {
     InRimPlane at;
-    at.up = side_ * normal_;
+    at.up = side_ * scene_.disc.normal;
     at.y = dot(at.up, ball.position);
     const Eigen::Vector3d along = ball.position - at.y * at.up;
     at.lateral = along.norm();
     at.out = at.lateral > 0 ? Eigen::Vector3d(along / at.lateral) : Eigen::Vector3d::Zero();
-    at.x = at.lateral - disc_radius_;
+    at.x = at.lateral - scene_.disc.radius;
     at.vy = dot(at.up, ball.velocity);
     at.vx = dot(at.out, ball.velocity);
     const Eigen::Vector3d round = ball.velocity - at.vy * at.up - at.vx * at.out;
@@ -214,17 +207,10 @@ class RacketContacts {
             x * y * (4 * xx - 2 * yy - 1) / length,
             -xx * (1 + 2 * xx - 4 * yy) / length};
   }
-  std::array<double, 2> overlap_and_push(const InRimPlane& at) const {
-    const Gap gap = gap_of(place_, at);
-    return {radius_ - gap.d, stiffness_ * (radius_ - gap.d) - damping_ * gap.rate(at)};
-  }
 
-  Eigen::Vector3d normal_;
-  double disc_radius_;
-  Eigen::Vector3d gravity_;
-  double mass_, radius_, stiffness_, damping_;
-  ContactLaw law_;
-  int side_;  // from which the ball touches, or touched last
+  Racket scene_;
+  Eigen::Vector3d gravity_;  // m/s^2
+  int side_;                 // from which the ball touches, or touched last
   Phase phase_ = Phase::flight;
   Place place_ = Place::face;
   bool lands_ = false;

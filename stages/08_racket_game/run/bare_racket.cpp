@@ -22,16 +22,6 @@ Racket BareRacketWorld::scene_at_rest() const {
   return scene;
 }
 
-BareRacketWorld::Ball BareRacketWorld::from_racket(const Ball& ball, double t) const {
-  const Disc its = disc(t);
-  return {ball.position - its.centre, ball.velocity - its.velocity};
-}
-
-BareRacketWorld::Ball BareRacketWorld::from_ground(const Ball& seen, double t) const {
-  const Disc its = disc(t);
-  return {seen.position + its.centre, seen.velocity + its.velocity};
-}
-
 Traits BareRacketWorld::traits(const Simulation& simulation) const {
   Traits all{"x,y,z,vx,vy,vz", setup.contact_numbers()};
   all.cuts_steps = true;
@@ -51,7 +41,7 @@ void BareRacketWorld::place(double t, const Ball& ball) {
   if (t == 0 || depth > 2 * scene.radius) scene.start_side(t, ball.position);
   scene.choose_side(t, ball.position);
   take_side_of(scene);
-  seen_from_racket = from_racket(ball, t);
+  seen_from_racket = seen_from(disc(t), ball);
 }
 
 Truth<RacketTruth, Eigen::Vector3d> BareRacketWorld::truth(double t, const Ball& ball) {
@@ -64,10 +54,9 @@ Truth<RacketTruth, Eigen::Vector3d> BareRacketWorld::truth(double t, const Ball&
 
 double BareRacketWorld::go_towards(ExactBesideRacket& method, double t, long long most_events,
                                    Ball& ball) {
-  RacketWalk& walk = method.walk;
-  const double reached = walk.reach(t, most_events) ? t : walk.last_event();
-  ball = walk.at(reached);
-  seen_from_racket = from_racket(ball, reached);
+  const RacketWalk& walk = method.walk;
+  const double reached = method.go_towards(t, most_events, ball);
+  seen_from_racket = seen_from(disc(reached), ball);
   // In contact the side is that of the touch.
   Racket scene = scene_at_rest();
   const bool flies = walk.phase() == Phase::flight;
@@ -79,7 +68,7 @@ double BareRacketWorld::go_towards(ExactBesideRacket& method, double t, long lon
 double BareRacketWorld::go_towards(ReferenceBesideRacket& method, double t, long long most_events,
                                    Ball& ball) {
   const double reached = method.go_towards(t, most_events, seen_from_racket);
-  ball = from_ground(seen_from_racket, reached);
+  ball = from_ground(disc(reached), seen_from_racket);
   side = method.walk.contacts().side();
   through = method.walk.contacts().place() == RacketContacts::Place::beyond;
   return reached;

@@ -1,14 +1,10 @@
 #pragma once
-#include <Eigen/Core>
-#include <string>
 #include <vector>
 
 #include "08_racket_game/exact/walk.hpp"
 #include "08_racket_game/reference/racket_contacts.hpp"
 #include "08_racket_game/run/racket_setup.hpp"
 #include "08_racket_game/run/racket_steps.hpp"
-#include "08_racket_game/run/racket_truth.hpp"
-#include "physics/methods/all_methods.hpp"
 #include "physics/remembered.hpp"
 #include "run/run.hpp"
 
@@ -30,6 +26,32 @@ struct ReferenceBesideRacket : ReferenceMethod<RacketContacts, Eigen::Vector3d> 
   ReferenceBesideRacket(const World& world, double t, const State<Eigen::Vector3d>& /*ball*/,
                         double tolerance)
       : ReferenceMethod(world, t, world.seen_from_racket, tolerance) {}
+};
+
+/// What a ball beside a racket in uniform motion is compared with (Truth): the closed form as far
+/// as it goes; from the moment on at which the ball meets the rim, the reference. It goes from the
+/// start again: up to the rim the two agree.
+class RacketTruth {
+ public:
+  using Ball = State<Eigen::Vector3d>;
+  using AtRim = RacketReference;
+
+  RacketTruth(RacketWalk walk, AtRim at_rim) : walk_(std::move(walk)), at_rim_(std::move(at_rim)) {}
+
+  bool reach(double t, long long most_events) {
+    if (!is_at_rim_) {
+      if (!walk_.reach(t, most_events)) return false;
+      is_at_rim_ = walk_.meets_rim_before(t);
+    }
+    return !is_at_rim_ || at_rim_.reach(t, most_events);
+  }
+  double last_event() const { return is_at_rim_ ? at_rim_.last_event() : walk_.last_event(); }
+  Ball at(double t) { return is_at_rim_ ? walk_.to_ground(at_rim_.at(t), t) : walk_.at(t); }
+
+ private:
+  RacketWalk walk_;
+  AtRim at_rim_;
+  bool is_at_rim_ = false;
 };
 
 /// Stage 8 without the game, for RunOf (run.hpp): a ball and a racket in uniform motion. Nothing in
@@ -66,7 +88,34 @@ class BareRacketWorld {
   Truth<TruthWalk, Vector> truth(double t, const Ball& ball);
 
   template <class Any>
-  void take_steps(Any& method, Ball& ball, long long count, double t, double dt, EnergyBook& book);
+  void take_steps(Any& method, Ball& ball, long long count, double t, double dt, EnergyBook& book) {
+    if (is_mine) {  // as it is seen from the ground, where the racket moves
+      Racket scene = scene_now();
+      for (long long i = 0; i < count; ++i) {
+        whole_step(method, scene, t + static_cast<double>(i) * dt, ball, dt);
+      }
+      take_side_of(scene);
+      seen_from_racket = seen_from(disc(t + static_cast<double>(count) * dt), ball);
+      return;
+    }
+    Racket scene = scene_at_rest();
+    // The damper's work over one piece, by the midpoint rule. Where no book is kept, a step costs
+    // nothing more.
+    const auto note = [&book](const Racket& law, double now, const Ball& before, const Ball& after,
+                              double h) {
+      const Ball middle{(before.position + after.position) / 2,
+                        (before.velocity + after.velocity) / 2};
+      book.lost -= law.damper_power(now + h / 2, middle) * h;
+    };
+    for (long long i = 0; i < count; ++i) {
+      const RacketStep taken = book.is_kept
+                                   ? racket_step(method, scene, 0, seen_from_racket, dt, note)
+                                   : racket_step(method, scene, 0, seen_from_racket, dt, nullptr);
+      more_pieces_ += taken.pieces - 1;
+    }
+    take_side_of(scene);
+    ball = from_ground(disc(t + static_cast<double>(count) * dt), seen_from_racket);
+  }
   double go_towards(ExactBesideRacket& method, double t, long long most_events, Ball& ball);
   double go_towards(ReferenceBesideRacket& method, double t, long long most_events, Ball& ball);
   /// A step in contact is made of pieces.
@@ -90,8 +139,6 @@ class BareRacketWorld {
   }
 
  private:
-  Ball from_racket(const Ball& ball, double t) const;
-  Ball from_ground(const Ball& seen, double t) const;
   void take_side_of(const Racket& scene) {
     side = scene.side;
     through = scene.through;
@@ -104,37 +151,6 @@ class BareRacketWorld {
 };
 
 using BareRacketRun = RunOf<BareRacketWorld>;
-
-template <class Any>
-void BareRacketWorld::take_steps(Any& method, Ball& ball, long long count, double t, double dt,
-                                 EnergyBook& book) {
-  if (is_mine) {  // as it is seen from the ground, where the racket moves
-    Racket scene = scene_now();
-    for (long long i = 0; i < count; ++i) {
-      whole_step(method, scene, t + static_cast<double>(i) * dt, ball, dt);
-    }
-    take_side_of(scene);
-    seen_from_racket = from_racket(ball, t + static_cast<double>(count) * dt);
-    return;
-  }
-  Racket scene = scene_at_rest();
-  // The damper's work over one piece, by the midpoint rule. Where no book is kept, a step costs
-  // nothing more.
-  const auto note = [&book](const Racket& law, double now, const Ball& before, const Ball& after,
-                            double h) {
-    const Ball middle{(before.position + after.position) / 2,
-                      (before.velocity + after.velocity) / 2};
-    book.lost -= law.damper_power(now + h / 2, middle) * h;
-  };
-  for (long long i = 0; i < count; ++i) {
-    const RacketStep taken = book.is_kept
-                                 ? racket_step(method, scene, 0, seen_from_racket, dt, note)
-                                 : racket_step(method, scene, 0, seen_from_racket, dt, nullptr);
-    more_pieces_ += taken.pieces - 1;
-  }
-  take_side_of(scene);
-  ball = from_ground(seen_from_racket, t + static_cast<double>(count) * dt);
-}
 
 extern template class RunOf<BareRacketWorld>;
 

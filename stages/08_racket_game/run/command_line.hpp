@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,20 +20,18 @@ struct InputRecord {
 
 /// `--player`. For `none` the bare physics takes the place of the game.
 inline void choose_player(std::unique_ptr<Simulation>& simulation, const std::string& name) {
-  static const std::vector<std::string> names{"human", "autopilot", "blind", "idle", "none"};
+  const auto found = std::find(player_names.begin(), player_names.end(), name);
+  if (found == player_names.end()) {
+    throw BadInput("--player '" + name + "' is not allowed" + did_you_mean(name, player_names) +
+                   ": it must be " + join(player_names, " or "));
+  }
   if (name == "none") {
     simulation = std::make_unique<BareRacketRun>();
     return;
   }
-  for (std::size_t i = 0; i + 1 < names.size(); ++i) {
-    if (names[i] != name) continue;
-    auto game = std::make_unique<GameRun>();
-    game->play_as(static_cast<PlayerKind>(i));
-    simulation = std::move(game);
-    return;
-  }
-  throw BadInput("--player '" + name + "' is not allowed" + did_you_mean(name, names) +
-                 ": it must be " + join(names, " or "));
+  auto game = std::make_unique<GameRun>();
+  game->play_as(static_cast<PlayerKind>(found - player_names.begin()));
+  simulation = std::move(game);
 }
 
 inline GameRun& game_for(const std::string& option, Simulation& simulation) {

@@ -1,14 +1,11 @@
 #pragma once
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "08_racket_game/racket_game.hpp"
-#include "physics/contact.hpp"
 #include "physics/events/closed_form.hpp"
 #include "physics/events/event_driven.hpp"
 #include "physics/stability.hpp"
-#include "physics/state.hpp"
 
 namespace bounce {
 

@@ -1,7 +1,5 @@
 #include "08_racket_game/run/racket_setup.hpp"
 
-#include "physics/components.hpp"
-
 namespace bounce {
 
 std::vector<Parameter> RacketSetup::parameters() {
@@ -21,7 +19,7 @@ std::vector<Parameter> RacketSetup::parameters() {
       {"mode",
        "",
        "what counts in the game: hits, landings in a ring, or hits on the beat, unseen",
-       choice_of(mode, {"keep-up", "target", "blind"}),
+       choice_of(mode, mode_names),
        {},
        {},
        true},

@@ -1,15 +1,14 @@
 #pragma once
-#include <Eigen/Core>
 #include <algorithm>
 #include <string>
 #include <vector>
 
 #include "08_racket_game/racket_game.hpp"
-#include "physics/contact.hpp"
-#include "physics/parameters.hpp"
 #include "run/simulation.hpp"
 
 namespace bounce {
+
+inline const std::vector<std::string> mode_names{"keep-up", "target", "blind"};
 
 /// Everything about stage 8 that can be set, for the game and for the bare physics alike.
 struct RacketSetup {
@@ -19,7 +18,7 @@ struct RacketSetup {
   Eigen::Vector3d racket_normal{0, 1, 0};    // any length
   Eigen::Vector3d racket_velocity{0, 0, 0};  // m/s
   // Of the game
-  enum { keep_up, target, blind } mode = keep_up;  // what counts
+  enum { keep_up, target, blind } mode = keep_up;  // what counts: mode_names
   double assist = 30;                              // %
   double knock = 0.2;                              // m, for the blind player's ball
   enum { slowing, speeding } strike = slowing;     // how the blind player's racket meets the ball
