@@ -44,13 +44,13 @@ std::vector<std::string> split(const std::string& text, const std::string& at) {
   return parts;
 }
 
-struct Forbidden {
+struct ForbiddenTerm {
   std::string word, say;
 };
 
 /// The third column of terms.md, and what stands in its second one.
-std::vector<Forbidden> forbidden_words(const std::string& terms) {
-  std::vector<Forbidden> all;
+std::vector<ForbiddenTerm> forbidden_words(const std::string& terms) {
+  std::vector<ForbiddenTerm> all;
   std::istringstream lines(terms);
   int row = -2;
   for (std::string line; std::getline(lines, line);) {
@@ -103,14 +103,14 @@ TEST_CASE("every lesson is there in Japanese, and so is its exercise") {
 }
 
 TEST_CASE("the words are those of docs/ja/terms.md") {
-  const std::vector<Forbidden> words = forbidden_words(text_of("docs/ja/terms.md"));
+  const std::vector<ForbiddenTerm> words = forbidden_words(text_of("docs/ja/terms.md"));
   CHECK(words.size() > 40);
   for (const fs::path& file : japanese_files()) {
     std::istringstream lines(text_of(file));
     int number = 0;
     for (std::string line; std::getline(lines, line);) {
       ++number;
-      for (const Forbidden& one : words) {
+      for (const ForbiddenTerm& one : words) {
         CHECK_MESSAGE(line.find(one.word) == std::string::npos, file.string(), ":", number, ": '",
                       one.word, "'. Say:", one.say);
       }

@@ -25,10 +25,10 @@ std::vector<std::string> all_lessons() {
 }
 
 // Words for which there is a common one, or that do not belong here: with the reason.
-struct Forbidden {
+struct ForbiddenWords {
   std::string words, reason;
 };
-const Forbidden forbidden[] = {
+const ForbiddenWords forbidden[] = {
     {"slides", "the learner has none"},
     {"by lot", "say: random"},
     {"dearer", "say: costs more"},
@@ -122,7 +122,7 @@ TEST_CASE("a lesson is short, and says it in plain words") {
     CHECK_MESSAGE(counts.words <= 20 * counts.sentences,
                   "a sentence has more than 20 words: ", counts.words, " words in ",
                   counts.sentences, " sentences");
-    for (const Forbidden& one : forbidden) {
+    for (const ForbiddenWords& one : forbidden) {
       CHECK_MESSAGE(text.find(one.words) == std::string::npos, "'", one.words, "': ", one.reason);
     }
   }
