@@ -39,8 +39,8 @@ struct Pendulum {
   }
 };
 
-State<double> swing(int steps) {
-  Dop853<double> method;
+template <class Method>
+State<double> swing(Method method, int steps) {
   State<double> state{2, 0};
   for (int i = 0; i < steps; ++i) {
     method.start_at(Pendulum{}, 0, state);
@@ -51,32 +51,33 @@ State<double> swing(int steps) {
 
 /// A Runge-Kutta method's numbers: where it looks, how it weighs what it saw, and the result's
 /// weights.
+template <std::size_t stages>
 struct Tableau {
-  static constexpr std::size_t stages = 12;
   std::array<std::array<double, stages>, stages> a{};
   std::array<double, stages> b{}, c{};
 };
 
 /// The numbers as they are in the code, seen from outside: an acceleration that is 1 in one stage
 /// and 0 in all others makes the velocity of each later stage that stage's number.
-Tableau tableau_of_dormand_prince() {
-  Tableau table;
-  for (std::size_t one = 0; one < Tableau::stages; ++one) {
+template <class Method, std::size_t stages>
+Tableau<stages> tableau_of() {
+  Tableau<stages> table;
+  for (std::size_t one = 0; one < stages; ++one) {
     struct Probe {
       double acceleration(double t, const State<double>& state) const {
         table.a[at][one] = state.velocity;
         table.c[at] = t;
         return at++ == one ? 1 : 0;
       }
-      Tableau& table;
+      Tableau<stages>& table;
       std::size_t one;
       mutable std::size_t at = 0;
     };
     const Probe probe{table, one};
-    Dop853<double> method;
+    Method method;
     method.start_at(probe, 0, {0, 0});
     table.b[one] = method.step(probe, 0, 1).velocity;
-    REQUIRE(probe.at == Tableau::stages);
+    REQUIRE(probe.at == stages);
   }
   return table;
 }
@@ -107,17 +108,14 @@ std::vector<Tree> trees_up_to(int most) {
   return all;
 }
 
-}  // namespace
-
-TEST_CASE("the numbers behind `reference` fulfil the 200 order conditions up to order 8") {
+template <std::size_t stages>
+void check_order(const Tableau<stages>& table, int order, std::size_t conditions) {
   // Butcher: a method is of order p if, for each rooted tree with up to p nodes, the sum over the
   // stages of b_i phi_i is 1 / gamma. A node's phi is the product over its branches of the sum over
   // j of a_ij phi_j, its gamma the tree's order times the branches' gammas. (Hairer, Norsett and
   // Wanner, theorem II.2.13)
-  const Tableau table = tableau_of_dormand_prince();
-  constexpr std::size_t stages = Tableau::stages;
-  const std::vector<Tree> trees = trees_up_to(8);
-  CHECK(trees.size() == 200);
+  const std::vector<Tree> trees = trees_up_to(order);
+  CHECK(trees.size() == conditions);
   std::vector<std::array<double, stages>> phi(trees.size());
   std::vector<double> gamma(trees.size());
   for (std::size_t n = 0; n < trees.size(); ++n) {
@@ -148,32 +146,49 @@ TEST_CASE("the numbers behind `reference` fulfil the 200 order conditions up to 
   }
 }
 
-TEST_CASE("the integrator's estimate of its error falls as it should, with the 8th power of h") {
-  std::vector<double> steps, errors;
-  for (int i = 0; i < 20; ++i) {
-    const double h = std::pow(0.9, i);
-    Dop853<double> method;
-    method.start_at(Pendulum{}, 0, {2, 0.5});
-    method.step(Pendulum{}, 0, h);
-    steps.push_back(h);
-    errors.push_back(method.error(h, 1e-6));  // in units of what is allowed: 1e-6 times a speed
-  }
-  const double order = test::fitted_slope(steps, errors);
-  INFO("measured order ", order);
-  CHECK(order > 7);
-  CHECK(order < 9);
+}  // namespace
+
+TEST_CASE("the numbers behind `reference` fulfil the 200 order conditions up to order 8") {
+  check_order(tableau_of<Dop853<double>, 12>(), 8, 200);
 }
 
-TEST_CASE("the integrator behind `reference` is of order 8") {
-  const State<double> right = swing(1000);
-  std::vector<double> dts, errors;
-  for (int steps = 4; steps <= 20; ++steps) {  // below 1e-13 rounding counts
-    dts.push_back(4.0 / steps);
-    errors.push_back(std::abs(swing(steps).position - right.position));
-  }
-  const double order = test::fitted_slope(dts, errors);
-  INFO("measured order ", order);
-  CHECK(order > 7.5);
+TEST_CASE("the numbers of its short steps fulfil the 17 order conditions up to order 5") {
+  check_order(tableau_of<Dopri5<double>, 7>(), 5, 17);
+}
+
+TEST_CASE("the integrators' estimates of their errors fall as they should, with h^8 and h^5") {
+  const auto check = [](auto method, double right) {
+    std::vector<double> steps, errors;
+    for (int i = 0; i < 20; ++i) {
+      const double h = std::pow(0.9, i);
+      method.start_at(Pendulum{}, 0, {2, 0.5});
+      method.step(Pendulum{}, 0, h);
+      steps.push_back(h);
+      errors.push_back(method.error(h, 1e-6));  // in units of what is allowed: 1e-6 times a speed
+    }
+    const double order = test::fitted_slope(steps, errors);
+    INFO("measured order ", order);
+    CHECK(order > right - 1);
+    CHECK(order < right + 1);
+  };
+  check(Dop853<double>(), 8);
+  check(Dopri5<double>(), 5);
+}
+
+TEST_CASE("the integrators behind `reference` are of order 8 and 5") {
+  const auto check = [](auto method, double right) {
+    const State<double> exact = swing(method, 1000);
+    std::vector<double> dts, errors;
+    for (int steps = 4; steps <= 20; ++steps) {  // below 1e-13 rounding counts
+      dts.push_back(4.0 / steps);
+      errors.push_back(std::abs(swing(method, steps).position - exact.position));
+    }
+    const double order = test::fitted_slope(dts, errors);
+    INFO("measured order ", order);
+    CHECK(order > right - 0.5);
+  };
+  check(Dop853<double>(), 8);
+  check(Dopri5<double>(), 5);
 }
 
 TEST_CASE("reference stays within 1e-11 m of the exact solution, with dampers and without") {

@@ -206,6 +206,32 @@ TEST_CASE("stage 5: in a heap reference knows of everyone who overlaps, and of n
   }
 }
 
+TEST_CASE(
+    "stage 5: in a heap, too, the tolerance rules reference's error, at less than order 8 costs") {
+  const std::array<double, 2> tray{0.5, 0.5};
+  const Arrangement heap = drop(60, 0.0143, tray, 1);
+  BallCollision scene;
+  scene.tray = tray;
+  scene.mass = heap.mass;
+  scene.radius = heap.radius;
+  for (const double damping : {0.0, 20.0}) {
+    scene.damping = scene.floor_damping = damping;
+    const auto at = [&](double t, double tolerance) {
+      Walk walk({scene, heap.balls}, 0, heap.balls, tolerance);
+      REQUIRE(walk.reach(t, 100000));
+      // Steps of order 8 only, none of them repeated, would need 12 each.
+      if (tolerance > 1e-10) CHECK(walk.force_evaluations() < 12 * walk.pieces());
+      return walk.at(t);
+    };
+    const Balls right = at(0.4, 1e-13);
+    for (const double tolerance : {1e-7, 1e-9, 1e-11}) {
+      CAPTURE(damping);
+      CAPTURE(tolerance);
+      CHECK(difference(at(0.4, tolerance), right).position < tolerance);
+    }
+  }
+}
+
 TEST_CASE("stage 5: a flight ends with the first touch of all pairs, however far apart they are") {
   std::mt19937_64 generator(7);
   const auto random = [&](double low, double high) {

@@ -3,11 +3,13 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "physics/events/cubic.hpp"
 #include "physics/events/event_driven.hpp"
 #include "physics/methods/dop853.hpp"
+#include "physics/methods/dopri5.hpp"
 #include "physics/state.hpp"
 
 namespace bounce {
@@ -15,8 +17,8 @@ namespace bounce {
 /// The shortest step at `t` that still is one [s].
 inline double shortest_step(double t) { return 4 * std::numeric_limits<double>::epsilon() * t; }
 
-/// One step in contact, by a method of order 8: so long that its error stays within a tolerance,
-/// and that at most one event happens in it, at its very end.
+/// One step in contact, by a method of order 8 (in a crowd, where events cut it short, of order 5):
+/// so long that its error stays within a tolerance, with at most one event, at its very end.
 template <class Contacts, class Vector>
 class ContactStep {
  public:
@@ -52,8 +54,13 @@ class ContactStep {
       before.value = std::max(before.value, 0.0);  // an event's rounding
       watched_.push_back({what, before, RootInStep::none, top_rate(start, what)});
     }
-    if (crowd) h = std::min(h, expected_event(start, h) + near_enough(start) / 2);
+    const double proposed = h, expected = crowd ? expected_event(start, h) : h;
+    h = std::min(h, expected + near_enough(start, expected) / 2);
+    is_short_ = crowd && order_5_will_do(start, h);
+    if (is_short_) short_.start_at(start.state, method_.acceleration_at_start());
     h = accurate_step(start, h);
+    // That events cut this step short says little of the next.
+    if (is_short_) step_after_ = std::max(step_after_, proposed / 2);
     const WatchedEvent* event = cut_at_first_event(start, h);
     return {h, event ? std::optional(event->what) : std::nullopt, step_after_};
   }
@@ -68,7 +75,7 @@ class ContactStep {
   }
 
   std::size_t watched() const { return watched_.size(); }
-  long long force_evaluations() const { return method_.evaluations(); }
+  long long force_evaluations() const { return method_.evaluations() + short_.evaluations(); }
 
  private:
   /// What is watched, and its value at the piece's start.
@@ -88,9 +95,16 @@ class ContactStep {
   }
 
   /// From so near [s] Taylor's series goes the rest of the way to an event: the term that is left
-  /// out, a' s^2 / 2, is a thousandth of what the tolerance allows.
-  double near_enough(const Start& start) const {
-    return crowd ? start.contacts.time_scale() * std::sqrt(1e-3 * tolerance_) : 0;
+  /// out, h a'' s^2 / 4, is a thousandth of what the tolerance allows.
+  double near_enough(const Start& start, double h) const {
+    const double fastest = start.contacts.time_scale();
+    return crowd ? fastest * std::sqrt(1e-3 * tolerance_ * fastest / h) : 0;
+  }
+
+  /// Whether order 5 will do, at half the cost: its error falls as h^5. The estimate has the word.
+  bool order_5_will_do(const Start& start, double h) const {
+    const double share = h / start.contacts.time_scale();
+    return share * share * share * share * share < tolerance_;
   }
 
   /// In a crowd events come more often than the error control would step. So it is foretold when
@@ -98,7 +112,7 @@ class ContactStep {
   /// on which nothing depends but the cost.
   double expected_event(const Start& start, double h) {
     const WatchedEvent* first = nullptr;
-    double time = h / 2;
+    double time = h;
     for (const WatchedEvent& watched : watched_) {
       if (!(watched.before.value < -watched.before.slope * time)) continue;
       if (watched.before.value <= start.contacts.rounding(watched.what, start.state)) continue;
@@ -120,6 +134,7 @@ class ContactStep {
       const double better = time - then.value / then.slope;
       if (!(then.slope < 0 && better > time / 2 && better < 2 * time)) break;
       time = better;
+      if (order_5_will_do(start, time)) break;  // then its acceleration hardly changes
     }
     return first ? time : h;
   }
@@ -130,10 +145,11 @@ class ContactStep {
   double accurate_step(const Start& start, double h) {
     bool shortened = false;
     while (true) {
-      after_ = method_.step(start.contacts, 0, h);
-      const double error = method_.error(h, tolerance_);
-      step_after_ = error > 0 ? Dop853<Vector>::better_step(h, error) : 6 * h;
+      step(start, h);
+      const double error = is_short_ ? short_.error(h, tolerance_) : method_.error(h, tolerance_);
+      step_after_ = error > 0 && !is_short_ ? Dop853<Vector>::better_step(h, error) : 6 * h;
       if (error <= 1) break;
+      if (std::exchange(is_short_, false)) continue;
       if (!(h > shortest_step(start.t))) {
         if (law_jumps && std::isfinite(error)) break;
         throw TimeStandsStill(start.t);
@@ -150,14 +166,13 @@ class ContactStep {
   const WatchedEvent* cut_at_first_event(const Start& start, double& h) {
     const WatchedEvent* event = nullptr;
     while (true) {
-      const Vector acceleration = acceleration_after(start, h);
       WatchedEvent* ends = nullptr;
       bool unclear = !start.contacts.resolves(start.state, after_, h);
       for (WatchedEvent& watched : watched_) {
         if (&watched == event) continue;
         watched.root = RootInStep::none;
         if (watched.before.value > watched.top_rate * h) continue;
-        const EventValue now = start.contacts.event_value(watched.what, h, after_, acceleration);
+        const EventValue now = value_after(start, watched, h);
         watched.root =
             root_in_step(watched.before, now, h, start.contacts.rounding(watched.what, after_));
         unclear = unclear || watched.root == RootInStep::unclear;
@@ -167,7 +182,7 @@ class ContactStep {
         step_after_ = std::min(step_after_, h);
         h /= 2;
         event = nullptr;
-        after_ = method_.step(start.contacts, 0, h);
+        step(start, h);
         continue;
       }
       if (!ends) return event;
@@ -179,21 +194,17 @@ class ContactStep {
     }
   }
 
-  Vector acceleration_after(const Start& start, double h) {
-    return start.contacts.acceleration(h, after_);
-  }
-
   /// Newton's method on the length of the step: it ends where `watched` does. Returns the length.
   double cut(const Start& start, const WatchedEvent& watched, double h) {
-    const EventValue end =
-        start.contacts.event_value(watched.what, h, after_, acceleration_after(start, h));
-    double low = 0, high = h;
-    const double guess = Cubic(watched.before, end, h).zero();
-    double length = crowd ? h : guess;
+    EventValue now = value_after(start, watched, h);
+    double low = 0, high = h, length = h;
+    const double guess = Cubic(watched.before, now, h).zero();
+    const auto shorten = [&](double to) {
+      step(start, length = to);
+      now = value_after(start, watched, length);
+    };
+    if (!crowd) shorten(guess);
     for (int i = 0; i < 60; ++i) {
-      if (length < h) after_ = method_.step(start.contacts, 0, length);
-      const Vector acceleration = acceleration_after(start, length);
-      const EventValue now = start.contacts.event_value(watched.what, length, after_, acceleration);
       (now.value > 0 ? low : high) = length;
       double next = (low + high) / 2;
       if (now.slope < 0) {
@@ -201,22 +212,38 @@ class ContactStep {
         if (low <= newton && newton <= high) next = newton;
       }
       const double rest = next - length;
-      if (std::abs(rest) <= std::max({1e-7 * h, near_enough(start), shortest_step(start.t)})) {
-        // So little that two terms of Taylor's series go the rest of the way.
-        after_.position += (after_.velocity + acceleration * (rest / 2)) * rest;
-        after_.velocity += acceleration * rest;
+      if (std::abs(rest) <=
+          std::max({1e-7 * h, near_enough(start, length), shortest_step(start.t)})) {
+        // So little that Taylor's series goes the rest of the way: two terms, in a crowd three.
+        const Vector change =
+            (acceleration_ - method_.acceleration_at_start()) * (crowd ? rest / length : 0);
+        after_.position += (after_.velocity + (acceleration_ + change / 3) * (rest / 2)) * rest;
+        after_.velocity += (acceleration_ + change / 2) * rest;
+        acceleration_ += change;
         return next;
       }
-      length = length < h ? next : guess;
+      shorten(length < h ? next : guess);
     }
     return length;
   }
 
+  void step(const Start& start, double h) {
+    after_ = is_short_ ? short_.step(start.contacts, 0, h) : method_.step(start.contacts, 0, h);
+    acceleration_ =
+        is_short_ ? short_.acceleration_at_end() : start.contacts.acceleration(h, after_);
+  }
+  EventValue value_after(const Start& start, const WatchedEvent& watched, double h) const {
+    return start.contacts.event_value(watched.what, h, after_, acceleration_);
+  }
+
   double tolerance_;
-  State<Vector> after_{};
+  State<Vector> after_{};  // the end of the step,
+  Vector acceleration_{};  // and what it is there
   double step_after_ = 0;
   std::vector<WatchedEvent> watched_;
   Dop853<Vector> method_;
+  Dopri5<Vector> short_;   // for short steps, in a crowd
+  bool is_short_ = false;  // this one is
 };
 
 }  // namespace bounce

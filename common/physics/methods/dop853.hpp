@@ -1,10 +1,9 @@
 #pragma once
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
+#include <cstddef>
 
-#include "physics/components.hpp"
+#include "physics/methods/embedded_pair.hpp"
 #include "physics/state.hpp"
 
 namespace bounce {
@@ -16,24 +15,18 @@ namespace bounce {
 /// Differential Equations I, 2nd edition (1993), section II.10, and its program dop853.f. The tests
 /// check the numbers below: a wrong digit in any of them costs orders.
 template <class Vector>
-class Dop853 {
+class Dop853 : public EmbeddedPair<Vector, 12> {
  public:
-  /// Where the next steps start. `law.acceleration(t, state)` is what it asks.
-  template <class Law>
-  void start_at(const Law& law, double t, const State<Vector>& state) {
-    start_ = state;
-    velocity_[1] = state.velocity;
-    acceleration_[1] = law.acceleration(t, state);
-    ++evaluations_;
-  }
-
-  /// A step of `h` from there; it may be repeated with another `h`. The state holds until then.
+  /// A step of `h` from the start; it may be repeated with another `h`. The state holds until then.
   template <class Law>
   const State<Vector>& step(const Law& law, double t, double h);
 
-  /// The error of the last step as it is estimated, in units of what `tolerance` allows: 1 is just
-  /// right. It is measured, ball by ball, against how fast the ball is and how far it moves.
-  double error(double h, double tolerance) const;
+  /// The error of the last step as it is estimated, in units of what `tolerance` allows.
+  double error(double h, double tolerance) const {
+    const Vector v5 = fifth(this->velocity_), v3 = third(this->velocity_);
+    const Vector a5 = fifth(this->acceleration_), a3 = third(this->acceleration_);
+    return this->in_units_allowed(h, tolerance, {v5, &v3}, {a5, &a3});
+  }
 
   /// From that error, the step that would make it just right. The estimate is of order 7, that is,
   /// it falls as h^8; and 0.9 is caution.
@@ -42,21 +35,8 @@ class Dop853 {
     return h * (ratio >= 0.2 ? std::min(ratio, 6.0) : 0.2);  // 0.2 as well if it is no number
   }
 
-  const State<Vector>& start() const { return start_; }
-  const Vector& acceleration_at_start() const { return acceleration_[1]; }
-  long long evaluations() const { return evaluations_; }
-
  private:
-  using Slopes = std::array<Vector, 13>;  // the twelve, counted from 1 as in the book
-
-  /// Slope i, at the share `c` of the step; `sum` weighs the slopes before it.
-  template <class Law, class Sum>
-  void slope(const Law& law, double t, double h, std::size_t i, double c, const Sum& sum) {
-    state_.position = start_.position + h * sum(velocity_);
-    state_.velocity = start_.velocity + h * sum(acceleration_);
-    velocity_[i] = state_.velocity;
-    acceleration_[i] = law.acceleration(t + c * h, state_);
-  }
+  using Slopes = typename EmbeddedPair<Vector, 12>::Slopes;  // the twelve
 
   // Two estimates, of order 5 and 3: differences to less accurate sums of the same slopes.
   static auto fifth(const Slopes& k) {
@@ -75,24 +55,14 @@ class Dop853 {
            3.1116436695781989440891606237e-1 * k[9] - 1.52160949662516078556178806805e-1 * k[10] +
            2.01365400804030348374776537501e-1 * k[11] + 4.47106157277725905176885569043e-2 * k[12];
   }
-
-  /// Both together fall as fast as an estimate of order 7: five^2 / sqrt(five^2 + 0.01 three^2).
-  static double together(double five, double three) {
-    if (five == 0) return 0;
-    const double ratio = 0.1 * three / five;
-    return ratio < 1e3 ? five / std::sqrt(1 + ratio * ratio) : five / ratio;
-  }
-
-  State<Vector> start_{};
-  State<Vector> state_{};
-  Slopes velocity_{}, acceleration_{};
-  long long evaluations_ = 0;
 };
 
 template <class Vector>
 template <class Law>
 const State<Vector>& Dop853<Vector>::step(const Law& law, double t, double h) {
-  const auto next = [&](std::size_t i, double c, const auto& sum) { slope(law, t, h, i, c, sum); };
+  const auto next = [&](std::size_t i, double c, const auto& sum) {
+    this->slope(law, t, h, i, c, sum);
+  };
   next(2, 0.526001519587677318785587544488e-1,
        [](const Slopes& k) { return 5.26001519587677318785587544488e-2 * k[1]; });
   next(3, 0.789002279381515978178381316732e-1, [](const Slopes& k) {
@@ -142,44 +112,9 @@ const State<Vector>& Dop853<Vector>::step(const Law& law, double t, double h) {
            8.87285693353062954433549289258 * k[9] + 1.23605671757943030647266201528e1 * k[10] +
            6.43392746015763530355970484046e-1 * k[11];
   });
-  evaluations_ += 11;
-  state_.position = start_.position + h * eighth(velocity_);
-  state_.velocity = start_.velocity + h * eighth(acceleration_);
-  return state_;
-}
-
-template <class Vector>
-double Dop853<Vector>::error(double h, double tolerance) const {
-  constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  const Vector v5 = fifth(velocity_), v3 = third(velocity_);
-  const Vector a5 = fifth(acceleration_), a3 = third(acceleration_);
-  const auto size = [](auto numbers) {
-    double largest = 0;
-    for (const double number : numbers) largest = std::max(largest, std::abs(number));
-    return largest;
-  };
-  const std::size_t count = components(start_.position).size();
-  const std::size_t one = count % 3 == 0 ? 3 : 1;  // numbers a ball
-  // No step can be better than the rounding of the positions, and of what follows from it.
-  const double blur = 8 * epsilon * size(components(start_.position));
-  tolerance = std::max(tolerance, 8 * epsilon);
-  double worst = 0;
-  for (std::size_t ball = 0; ball < count; ball += one) {
-    const auto of = [&](const Vector& vector) { return components(vector).subspan(ball, one); };
-    const double speed =
-        std::max({size(of(start_.velocity)), size(of(state_.velocity)),
-                  h * size(of(acceleration_[1])), h * size(of(acceleration_[12]))});
-    const auto judge = [&](const Vector& e5, const Vector& e3, double allowed) {
-      for (std::size_t i = 0; i < one; ++i) {
-        if (h * std::abs(of(e5)[i]) <= worst * allowed) continue;  // both together are no more
-        const double estimate = h * together(std::abs(of(e5)[i]), std::abs(of(e3)[i]));
-        if (estimate > 0 && !(estimate / allowed <= worst)) worst = estimate / allowed;
-      }
-    };
-    judge(v5, v3, tolerance * speed * h + blur);
-    judge(a5, a3, tolerance * speed + blur / h);
-  }
-  return worst;
+  this->state_.position = this->start_.position + h * eighth(this->velocity_);
+  this->state_.velocity = this->start_.velocity + h * eighth(this->acceleration_);
+  return this->state_;
 }
 
 }  // namespace bounce

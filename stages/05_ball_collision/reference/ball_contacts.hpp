@@ -147,17 +147,17 @@ inline const Eigen::Matrix3Xd& BallContacts::acceleration(double /*t*/, const Ba
 }
 
 inline const std::vector<BallContacts::Event>& BallContacts::events(const Balls& balls, double h) {
-  events_.clear();
-  for (const ContactPair& two : held_) {
-    const bool touch = two.phase == Phase::touch;
-    if (touch && lets_go(two)) events_.push_back({two, Phase::let_go});
-    if (!touch) events_.push_back({two, Phase::touch});
-    if (!touch || !lets_go(two)) events_.push_back({two, Phase::flight});
-  }
-  // Nobody gets faster than this, or the step is refused. Who is further apart than two can close
-  // at such speeds is not watched.
+  // Nobody gets faster than this, or the step is refused. Two that are further apart than they can
+  // close at such speeds are not watched, nor two that overlap by more than that.
   top_speed_ = 2 * balls.velocity.colwise().norm().transpose();
   top_speed_.array() += scene_.radius.minCoeff() / 200 / h;
+  events_.clear();
+  for (const ContactPair& two : held_) {
+    const bool touch = two.phase == Phase::touch, can_let_go = touch && lets_go(two);
+    if (can_let_go || !touch) events_.push_back({two, touch ? Phase::let_go : Phase::touch});
+    if (can_let_go || !are_apart(scene_, two, balls.position, -h * top_rate(two))) continue;
+    events_.push_back({two, Phase::flight});
+  }
   auto held = held_.begin();
   near_.for_each(scene_, balls, 2 * h * top_speed_.maxCoeff(), [&](const ContactPair& two) {
     if (are_apart(scene_, two, balls.position, h * top_rate(two))) return;

@@ -56,7 +56,8 @@ inline Gap gap_of(const BallCollision& scene, const ContactPair& two,
   return {d - scene.radius[i] - scene.radius[j], dot(velocity, e12), d, e12, velocity};
 }
 
-/// Whether that gap is larger than `range` [m]: the same without root and division.
+/// Whether that gap is larger than `range` [m], which may be negative: the same without root and
+/// division.
 inline bool are_apart(const BallCollision& scene, const ContactPair& two,
                       const Eigen::Matrix3Xd& position, double range) {
   const int i = two.first, j = two.second;
@@ -64,7 +65,7 @@ inline bool are_apart(const BallCollision& scene, const ContactPair& two,
     return two.sign * (position(two.axis, i) - wall_of(scene, two)) > scene.radius[i] + range;
   }
   const double reach = scene.radius[i] + scene.radius[j] + range;
-  return (position.col(i) - position.col(j)).squaredNorm() > reach * reach;
+  return reach < 0 || (position.col(i) - position.col(j)).squaredNorm() > reach * reach;
 }
 
 /// By how much that gap may be off [m], because positions are rounded.
