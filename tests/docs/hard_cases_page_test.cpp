@@ -20,6 +20,7 @@ class TestNames {
          {"physics_tests", "hard_cases_tests", "run_tests", "many_balls_tests"}) {
       listed_ += test::run_program(program + " -ltc").out;
     }
+    std::erase(listed_, '\r');  // Windows
     // What needs SDL2, glibc's traps or libFuzzer is in the sources everywhere.
     const std::string tests = std::string(BOUNCE_SOURCE_DIR) + "/tests/";
     for (const std::string file : {"app/playback_test.cpp", "app/racket_game_test.cpp",

@@ -122,7 +122,7 @@ Counted places(const fs::path& root, const fs::path& page, const fs::path& twin,
         file.parent_path() == "docs/ja" && !fs::exists(root / "docs" / file.filename());
     if (only_japanese || file == page || file == twin) continue;
     // A heading is another one in Japanese.
-    found[file.string() + (file == japanese ? "" : target.substr(hash))] += count;
+    found[file.generic_string() + (file == japanese ? "" : target.substr(hash))] += count;
   }
   return found;
 }

@@ -18,7 +18,10 @@ using Lines = std::vector<std::string>;
 Lines lines_of(const std::string& text) {
   Lines lines;
   std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.empty() && line.back() == '\r') line.pop_back();  // as programs print on Windows
+    lines.push_back(line);
+  }
   return lines;
 }
 

@@ -17,7 +17,8 @@ static std::string after(const std::string& line, const std::string& key) {
 int main(int argc, char** argv) {
   if (argc != 2) return std::fprintf(stderr, "usage: mistakes_table NN_name\n"), 2;
   const fs::path folder = fs::path(BOUNCE_SOURCE_DIR) / "tests/mistakes" / argv[1];
-  if (!fs::is_directory(folder)) return std::fprintf(stderr, "no folder %s\n", folder.c_str()), 2;
+  if (!fs::is_directory(folder))
+    return std::fprintf(stderr, "no folder %s\n", folder.string().c_str()), 2;
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
@@ -37,10 +38,10 @@ int main(int argc, char** argv) {
     if (after(why, "// ").empty() || check.empty() || told.empty()) {
       std::fprintf(stderr,
                    "%s: the first three lines must be // WHY, // check: ..., // told: ...\n",
-                   path.c_str());
+                   path.string().c_str());
       return 1;
     }
-    std::printf("| `%s` | %s | %s | %s |\n", path.stem().c_str(), after(why, "// ").c_str(),
-                check.c_str(), told.c_str());
+    std::printf("| `%s` | %s | %s | %s |\n", path.stem().string().c_str(),
+                after(why, "// ").c_str(), check.c_str(), told.c_str());
   }
 }

@@ -24,6 +24,7 @@ class Phrases {
     int number = 0;
     for (std::string line; std::getline(file, line);) {
       ++number;
+      if (!line.empty() && line.back() == '\r') line.pop_back();  // of Windows
       if (!line.empty() && line[0] == '#') continue;
       if (line.empty() != english.empty() && line.empty()) {
         throw std::runtime_error(path + ":" + std::to_string(number) +
