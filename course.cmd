@@ -6,10 +6,13 @@ if exist C:\msys64\mingw64\bin\g++.exe set "PATH=C:\msys64\mingw64\bin;%PATH%"
 if not defined BOUNCE_PRESET set BOUNCE_PRESET=release
 set build=build\%BOUNCE_PRESET%
 for %%w in (missing page rest) do set %%w=
+if /i "%BOUNCE_LANG:~0,2%"=="ja" echo course: Japanese is spoken by ./course alone; course.cmd goes on in English>&2
 rem (Not by shift and %%1, for which = and , part words.)
 for /f "tokens=2*" %%a in ("%*") do set rest=%%b
 for %%w in (play check reset test plain list) do if "%~1"=="%%w" goto %%w
+for %%w in (new site report format) do if "%~1"=="%%w" goto unknown
 echo usage: course play [N] [OPTIONS]    the demo of stage N, or the last one: course play 3 --set stiffness=2000
+echo        course play N --mine         the same on your own stages\NN_name\mine.hpp
 echo        course check [N]             check your own work: stage N, or the first one not yet done; or: check loop
 echo        course reset N               a fresh mine.hpp; the old one is kept beside it
 echo        course test                  build and run the tests
@@ -21,12 +24,26 @@ exit /b 2
 
 :plain
 set page=_plain
+if "%~3"=="--picture" goto unknown
 :play
+if "%~3"=="--mine" if not defined page goto mine
 call :stage_named %2
 if not errorlevel 1 call :make %stage%%page%
 if not errorlevel 1 %build%\bin\%stage%%page%.exe %rest%
 exit /b %errorlevel%
+:mine
+for /f "tokens=3*" %%a in ("%*") do set rest=%%b
+call :stage_named %2
+if errorlevel 1 exit /b 2
+call :stage
+if not exist %mine% echo course: stage %2 has no mine.hpp yet: course check %2 makes it>&2& exit /b 2
+call :need cmake.exe
+if not errorlevel 1 cmake -DSTAGE=%stage% -DOUT=%build:\=/%/mine/%stage% -P tests/checks/forward.cmake
+if not errorlevel 1 call :make %stage%_mine_whole
+if not errorlevel 1 %build%\bin\%stage%_mine_whole.exe %rest%
+exit /b %errorlevel%
 :test
+if not "%~2"=="" goto unknown
 call :make all
 if not errorlevel 1 ctest --test-dir %build% -LE long -j 2 --output-on-failure
 exit /b %errorlevel%
@@ -34,6 +51,8 @@ exit /b %errorlevel%
 for /d %%d in (stages\??_*) do for /f "tokens=2 delims={}" %%a in ('find "demo.stage =" ^< %%d\main.cpp') do echo %%a
 exit /b %errorlevel%
 :check
+for %%w in (plan --hint --watch --report) do if "%~2"=="%%w" goto unknown
+if not "%~3"=="" goto unknown
 if "%~2"=="" call :next
 if not "%~2"=="" call :exercise_named %2
 if not errorlevel 1 call :need g++.exe cmake.exe ninja.exe
@@ -48,6 +67,8 @@ if defined course set course=--course %build%\checks\%course%.dll
 %build%\bin\stage_checks.exe %stage% %build%\checks\%stage%_judged.dll %course%
 if errorlevel 1 goto failed
 echo yes>%mine%.passed
+if "%stage%"=="loop" set stage=02
+echo   See it move:  course play %stage:~0,2% --mine
 call :next
 if defined stage echo   Next: docs\%stage%.md, then  course check
 exit /b 0
@@ -80,6 +101,9 @@ cmake -DBASE=stages/%header% -DPIECES=stages/%gaps% -DOUT=%mine:\=/% -P tests/ch
 if errorlevel 1 exit /b 1
 echo Your turn. Edit this file:  %mine%  (its gaps are marked YOUR TURN). Then  course check  again.
 exit /b %errorlevel%
+:unknown
+echo course: '%*' is not known to course.cmd; ./course on Debian or Ubuntu knows it>&2
+exit /b 2
 :stage_named
 set stage=
 for /d %%d in (stages\0%~1_* stages\%~1_* stages\??_%~1) do set stage=%%~nxd

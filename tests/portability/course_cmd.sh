@@ -45,6 +45,12 @@ run 0; shows "usage: course play"
 run 2 fly; shows "usage: course play"
 run 2 play 99; shows "there is no stage '99'"
 run 2 reset; shows "reset takes one stage"
+for words in 'check 3 --watch' 'check 3 --report all.json' 'check --hint' 'test 3' 'plain 3 --picture a.svg' 'new drag'; do
+  # shellcheck disable=SC2086
+  run 2 $words; shows "is not known to course.cmd"
+done
+BOUNCE_LANG=ja run 0 list; shows "Japanese is spoken by ./course alone"; shows "03_damping"
+run 2 play 3 --mine; shows "stage 3 has no mine.hpp yet"
 run 2 play 3 --headless --set stiffness=-1; shows "stiffness"
 run 0 play damping --headless --set stiffness=2000 --csv - --at 0.5; shows "0.5,"
 run 0 plain 03; shows "t,y,v"
@@ -55,7 +61,16 @@ run 1 check 3; shows "the damper has the wrong sign"
 echo 'int main() { return nonsense; }' >>"$mine"
 run 1 check 3; shows "It does not compile yet"; shows "mine.hpp"
 cp stages/03_damping/damping.hpp "$mine"
-run 0 check 3; shows "Speed against error"; shows "then  course check"
+run 0 check 3; shows "Speed against error"; shows "then  course check"; shows "course play 03 --mine"
+at_half='--headless --csv - --at 0.5'
+# shellcheck disable=SC2086
+{
+  run 0 play 3 $at_half; right=$(grep '^0.5,' <<<"$out")
+  run 0 play 3 --mine $at_half; shows "$right"; shows "your force, the course's loop"
+  sed -i 's/-mass \* gravity/-2 * mass * gravity/' "$mine"
+  run 0 play 3 --mine $at_half; ! grep -qF "$right" <<<"$out" || fails "it does not run on the learner's lines"
+  cp stages/03_damping/damping.hpp "$mine"
+}
 [ -f "$mine.passed" ] || fails "it is not noted that stage 3 is done"
 run 0 reset 3; shows "Your old file is kept: stages\\03_damping\\mine.hpp.1"
 cmp -s "$mine.1" stages/03_damping/damping.hpp || fails "the old file is another one"

@@ -1,9 +1,12 @@
 #!/usr/bin/env bash
 # windows.sh [--quick]: the eight programs, bits and tests for Windows, by mingw-w64, under wine. Quick, as in .ci/run:
 # no windows, and of the tests the bits and the checks of the course's own stages.
-# Not here: progress_test (it makes a terminal, and sends Ctrl-C); lammps_round_trip_long_test (LAMMPS is not there);
-# hostile_command_lines (it ends runs by a signal); fuzz_* (libFuzzer is clang++'s); ./course and its tests (bash, awk);
-# single tests that need /dev/full, a limit or env (skip(on_windows)). Traps on NaNs need glibc.
+# Not here:
+# - progress_test: it makes a terminal, and sends Ctrl-C.
+# - hostile_command_lines: it ends runs by a signal. fuzz_*: libFuzzer comes with clang++. Traps on NaNs: glibc alone has them.
+# - lammps_round_trip_long_test: there is no LAMMPS.
+# - tests marked skip(on_windows): they need /dev/full, /proc, a limit, a shell's words, or the last digits of this C library.
+# - ./course and what is tested by scripts: bash and awk. course.cmd has a test of its own.
 cd "$(dirname "${BASH_SOURCE[0]}")/../.." || exit 1
 source tests/portability/prepare.sh
 headers
