@@ -22,14 +22,12 @@ class Fingers {
     }
   }
   void up(std::int64_t which, double t) {
-    for (std::size_t i = 0; i < all_.size(); ++i) {
-      const Finger& finger = all_[i];
-      if (finger.which != which) continue;
-      const float slipped = std::hypot(finger.at.x - finger.from.x, finger.at.y - finger.from.y);
-      if (i == 0 && t - finger.since < tap && slipped < still) swings_until_ = t + swing;
-      all_.erase(all_.begin() + static_cast<std::ptrdiff_t>(i));
-      return;
+    if (!all_.empty() && all_.front().which == which) {
+      const Finger& first = all_.front();
+      const float slipped = std::hypot(first.at.x - first.from.x, first.at.y - first.from.y);
+      if (t - first.since < tap && slipped < still) swings_until_ = t + swing;
     }
+    std::erase_if(all_, [which](const Finger& finger) { return finger.which == which; });
   }
 
   /// Where the racket shall be; nothing while no finger is down.
