@@ -92,6 +92,8 @@ Question<Moment> force_question(const std::string& tested) {
          s.push_only = false;
          return plus(weight(m), up(touches(m) ? push(s, overlap(m), m.v()) : 0));
        }}};
+  const auto limited = limits_the_weight(contact);
+  q.suspects.insert(q.suspects.end(), limited.begin(), limited.end());
   return q;
 }
 

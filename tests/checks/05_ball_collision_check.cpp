@@ -91,12 +91,20 @@ TEST_SUITE("05_ball_collision") {
   TEST_CASE("centres that coincide: ball 1 goes up, and nothing becomes not-a-number") {
     std::vector<Two> same = pairs(58, 0.1, 0.1);
     for (Two& p : same) p.two.motion.position = p.one.motion.position;
+    const auto d_is_0 = [](const Two& p) { return p.d() == 0 ? "in meet: d is 0 there" : ""; };
+    Question<Two> e12 = question("the unit vector e12", "");
+    e12.answer = [](const Two& p) { return subject().meet(p.one, p.two).e12; };
+    e12.truth = [](const Two& p) { return p.e12(); };
+    e12.look_at = "in meet: where d is 0, e12 is (0, 1, 0).";
+    e12.zero = d_is_0;
+    judge(e12, same);
     Question<Two> q = force_question();
+    q.zero = d_is_0;
     q.truth = [](const Two& p) {
       const double both = p.one.radius + p.two.radius;
       return up(push(p.setting, both, p.slip()[1]));
     };
-    q.look_at = "d is 0 there, and 0 / 0 is no direction. Take (0, 1, 0).";
+    q.look_at = "the same law, along the e12 that meet() gives there.";
     q.suspects = {};
     judge(q, same);
     std::vector<Two> close = same;  // a small distance is a direction, too
@@ -105,7 +113,8 @@ TEST_SUITE("05_ball_collision") {
       if (i % 2 == 0) close[i].one.motion.position = {1e-20, 0, 0};
     }
     Question<Two> small = force_question();
-    small.look_at = "only centres that coincide have no direction. A small distance has one.";
+    small.look_at =
+        "in meet: only centres that coincide have no direction. A small distance has one.";
     judge(small, close);
   }
   TEST_CASE("all balls: each pair once, equal and opposite") {

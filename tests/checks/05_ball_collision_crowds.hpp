@@ -18,6 +18,7 @@ struct CrowdView {
   bool by_mass = true;
   bool contact_of_the_floor = false, not_where_they_coincide = false, neighbours_only = false,
        first_left_out = false;
+  bool first_overwritten = false, second_overwritten = false;
 };
 
 /// The acceleration of ball `i`, by a plain double loop.
@@ -43,6 +44,7 @@ inline Triple acceleration_in(const Crowd& crowd, std::size_t i, const CrowdView
     if (view.not_where_they_coincide && p.d() == 0) continue;
     if (view.first_left_out && first == 0) continue;
     if (view.neighbours_only && second != first + 1) continue;
+    if (i == first ? view.first_overwritten : view.second_overwritten) force = {};
     force = plus(force, right(p), view.twice * (i == first ? 1 : view.on_second));
   }
   return view.by_mass ? times(1 / me.mass, force) : force;
@@ -121,6 +123,11 @@ inline Question<OneInCrowd> crowd_question() {
       {"only neighbours in the list meet", "all pairs count, not only ball i and ball i + 1.",
        with({.neighbours_only = true})},
       {"gravity forgotten", "each ball has its weight.", with({.weight = false})}};
+  for (const auto& [first, second] : {std::pair(true, true), {true, false}, {false, true}}) {
+    q.suspects.push_back({"= in place of += or -=",
+                          "`=` overwrites gravity, floor and the other pairs: use += and -=.",
+                          with({.first_overwritten = first, .second_overwritten = second})});
+  }
   q.place = [](const OneInCrowd& c) -> std::string {
     return c.i == 0                          ? "for the first ball"
            : c.i + 1 == c.crowd.balls.size() ? "for the last ball"

@@ -19,7 +19,7 @@ inline double speed(const Moment& m) {
 }
 
 inline std::string law_name(const Moment& m) {
-  static const char* laws[] = {"relative", "absolute", "fixed-switch"};
+  static const char* laws[] = {"relative", "absolute", "fixed_switch"};
   return std::string("floor_law ") + laws[m.setting.floor_law];
 }
 
@@ -85,7 +85,7 @@ inline Question<Moment> force_question(const std::string& tested) {
                    m.y() - floor < m.setting.radius};
   };
   q.place = [=](const Moment& m) {
-    static const char* laws[] = {"", ", with floor_law absolute", ", with floor_law fixed-switch"};
+    static const char* laws[] = {"", ", with floor_law absolute", ", with floor_law fixed_switch"};
     Contact c = contact(m);
     if (m.setting.floor_law == fixed_switch) c.overlap = m.setting.radius - m.y();
     return contact_place(c, m.setting.radius) + laws[m.setting.floor_law];
@@ -99,8 +99,13 @@ inline Question<Moment> force_question(const std::string& tested) {
   };
   in_contact("k times the floor's height",
              [](const Moment& m) { return m.setting.stiffness * height(m); });
+  q.parts.back().inside = true;
   in_contact("c times the floor's speed",
              [](const Moment& m) { return m.setting.damping * speed(m); });
+  q.parts.back().inside = true;
+  for (PartOf<Moment>& part : q.parts) {
+    if (part.name == "c times v_y") part.name = "c times v";  // on a line there is one
+  }
   const auto view = [](auto change) {
     return [change](const Moment& m) {
       View v = seen(m);
@@ -130,6 +135,15 @@ inline Question<Moment> force_question(const std::string& tested) {
       {"the floor's sign",
        "the floor is on the wrong side in yours: y - floor < r, and r - y + floor.",
        view([](const Moment&, View& v) { v.floor = -v.floor; })},
+      {"the floor's height forgotten in the overlap",
+       "the overlap is measured from where the floor is: r - y + floor height.",
+       [](const Moment& m) {
+         const View v = seen(m);
+         const double slip = m.v() - (v.relative_damper ? v.floor_speed : 0);
+         const bool touches = m.y() - (v.moving_contact ? v.floor : 0) < m.setting.radius;
+         const double overlap = m.setting.radius - m.y();
+         return up(-m.weight() + (touches ? push(m.setting, overlap, slip) : 0));
+       }},
       {"the floor's speed with the wrong sign", "the damper sees v *minus* the floor's speed.",
        view([](const Moment&, View& v) { v.floor_speed = -v.floor_speed; })},
       {"a floor at rest", "the floor is at height 0 in yours. Ask floor_height(t).",
@@ -152,6 +166,8 @@ inline Question<Moment> force_question(const std::string& tested) {
          other.setting.push_only = true;
          return right(other);
        }}};
+  const auto limited = limits_the_weight(contact);
+  q.suspects.insert(q.suspects.end(), limited.begin(), limited.end());
   return q;
 }
 

@@ -131,6 +131,8 @@ inline Question<Moment> force_question(const std::string& tested) {
          other.setting.push_only = false;
          return right(other);
        }}};
+  const auto limited = limits_the_weight(contact);
+  q.suspects.insert(q.suspects.end(), limited.begin(), limited.end());
   return q;
 }
 

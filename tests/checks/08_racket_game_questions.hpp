@@ -27,7 +27,7 @@ inline Question<Moment> question(const std::string& tested, const std::string& u
   q.when = one_moment;
   q.look_at =
       "split the way from the centre to the ball: `height` along the normal, `outwards` along the "
-      "disc. Shorter than the radius: over the disc. Else the nearest point is on the rim.";
+      "disc. Shorter than racket.radius: over the disc. Else the nearest point is on the rim.";
   return q;
 }
 
@@ -65,8 +65,36 @@ inline Question<Moment> nearest_question(const std::string& tested, const std::s
        as(Shape::square)},
       {"side ignored", "a ball from below is pushed down: normal and height times `side`.",
        as(Shape::one_sided)}};
+  const auto suspect = [&](const char* mistake, const char* advice,
+                           std::initializer_list<Shape> shapes) {
+    for (const Shape shape : shapes) q.suspects.push_back({mistake, advice, as(shape)});
+  };
+  suspect("the ball's radius for the disc's", "`radius` is the ball's, `racket.radius` the disc's.",
+          {Shape::small_test, Shape::small_rim, Shape::small});
+  suspect("direction reversed", "beside the disc it goes from the rim to the ball: ball - rim.",
+          {Shape::reversed});
+  suspect("side beside the disc",
+          "`side` counts over the disc. Beside it the direction is from the rim to the ball, and "
+          "the distance is positive.",
+          {Shape::side_at_rim});
+  suspect("the normal for the direction",
+          "beside the disc the push goes from the rim to the ball, not along the normal.",
+          {Shape::normal_at_rim});
+  suspect("the height for the distance",
+          "beside the disc the distance is the length of ball - rim. Divide by that.",
+          {Shape::by_height, Shape::by_height_times_side});
+  suspect("the centre forgotten",
+          "`outwards` begins at the racket's centre: add racket.centre for a point.",
+          {Shape::no_centre});
   q.place = [](const Moment& m) {
     return disc_place(m, {m.setting.centre, m.setting.disc_normal});
+  };
+  q.zero = [](const Moment& m) -> std::string {
+    const Now now{m.setting.centre, m.setting.disc_normal};
+    const NearestFound right = nearest_of(m.setting, now, m.motion.position, Shape::disc);
+    if (right.distance == 0) return "the distance is 0 there";
+    const double out = length(plus(right.point, now.centre, -1));
+    return out == 0 ? "the length of `outwards` is 0 there" : "";
   };
   const auto other = [&](const char* name, auto value) {
     q.parts.push_back(
@@ -148,6 +176,7 @@ inline Question<Moment> force_question(const std::string& tested) {
                        return times(c.touches ? m.setting.damping * (own - c.away) : 0,
                                     c.direction);
                      }});
+  q.parts.back().inside = true;
   const auto with = [](View view) {
     return [view](const Moment& m) { return force_with(m, view); };
   };
@@ -181,42 +210,12 @@ inline Question<Moment> force_question(const std::string& tested) {
          const Triple f = plus(right(m), up(m.weight()));
          return up(length(f) - m.weight());
        }}};
-  return q;
-}
-
-enum Where { over, beside, anywhere };
-
-/// Balls near the disc, on both sides; `movement`: how fast the racket moves and turns.
-inline std::vector<Moment> moments(unsigned seed, Where where, double movement,
-                                   bool push_only_too) {
-  Dice dice(seed);
-  std::vector<Moment> all;
-  for (int i = 0; i < 40; ++i) {
-    Setting s = any_setting(dice);
-    s.damping = dice.between(1, 300);
-    s.push_only = push_only_too && i % 2 == 1;
-    s.centre = dice.triple(1);
-    s.disc_normal = dice.direction();
-    s.disc_radius = dice.between(0.2, 0.5);
-    s.disc_velocity = dice.triple(movement);
-    s.disc_spin = dice.triple(movement);
-    s.side = dice.sign() < 0 ? -1 : 1;
-    s.since = movement > 0 ? dice.between(-1, 1) : 0;
-    Moment m{s, movement > 0 ? s.since + dice.between(0, 0.4) : 0, {{}, dice.triple(5)}};
-    const Now now = racket_at(m);
-    // A direction along the disc, and how far out and up the ball is.
-    Triple across = cross(now.normal, dice.direction());
-    across = times(1 / length(across), across);
-    const double out = where == over                   ? dice.between(0.01, 0.99) * s.disc_radius
-                       : where == beside && i % 3 == 2 ? dice.between(1.1, 4) * s.disc_radius
-                       : where == beside ? s.disc_radius + dice.between(0.01, 0.7) * s.radius
-                                         : dice.between(0.1, 1.8) * s.disc_radius;
-    const bool deep = where == over && i % 5 == 4;  // far through the disc
-    const double high = s.side * dice.between(deep ? -9 : -0.3, 1.2) * s.radius;
-    m.motion.position = plus(plus(now.centre, across, out), now.normal, high);
-    all.push_back(m);
+  for (const bool in_test : {false, true}) {
+    q.suspects.push_back({"the disc's radius for the ball's",
+                          "`radius` is the ball's: the overlap is radius - distance.",
+                          with({.disc_in_test = in_test, .disc_in_overlap = true})});
   }
-  return all;
+  return q;
 }
 
 }  // namespace bounce::check::racket_game

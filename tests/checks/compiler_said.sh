@@ -10,6 +10,23 @@ text=${text//"$file"/"$shown"}
 first() { grep -a -m1 "$@" <<<"$text"; }
 show() { sed -e '/^compilation terminated/d' -e 's/ \[-W[^]]*\]//' -e 's/^/    /'; }
 here() { grep -a -F -- "$shown:"; } # lines about the learner's file
+meaning() { # of an error that beginners often see, in the words of g++ and clang++
+  local error; error=$(tr '\n' ' ')
+  fits() { grep -aqE -- "$1" <<<"$error"; }
+  say() { printf '\n    %s\n' "$1"; }
+  local number="'(const )?(int|double)'"
+  if fits "(in|of) read-only|discards qualifiers|within const member|a const value|not marked const|for object argument|'operator=' \(operand types are 'const"; then
+    say 'A member may not be changed in a function that is marked const, nor may state: make a new variable.'
+  elif fits "(convert|conversion|'[-+]?='|operator[-+]?=).*(= |return )\([^()]*(\([^()]*\)[^()]*)*,"; then
+    say '(a, b, c) is no vector in C++: write Eigen::Vector3d(a, b, c).'
+  elif fits "(conver.* from|value of type|operator=.* and) $number( to |\)).*Eigen"; then
+    say 'A vector is wanted here, and this is a number: write Eigen::Vector3d(a, b, c).'
+  elif fits "(operator[-+<>]|invalid operands|'[-+]=').*($number.*Eigen|Eigen.*$number)"; then
+    say 'A number and a vector cannot be added, subtracted or compared: take one part of the vector, for instance .y().'
+  elif fits "(convert|conversion from) .*(Vector|Eigen::).* to '?double|to 'double' from incompatible type '.*Eigen"; then
+    say 'A double holds one number, and this is a vector: write Vector in its place (in a scene: Eigen::Vector3d).'
+  fi
+}
 
 if [ "$what" = warnings ]; then
   found=$(grep -a -A2 'warning: ' <<<"$text" | grep -a -v '^--$' | head -n 9)
@@ -36,9 +53,7 @@ elif [ -n "$missing" ]; then
 elif here <<<"${error%%$'\n'*}" >/dev/null; then
   printf '  It does not compile yet. The first thing that the compiler does not understand:\n\n'
   show <<<"$error"
-  if grep -qE "(convert|conversion from) .*(Vector|Eigen::).* to '?double" <<<"$error"; then
-    printf '\n    A double holds one number, and this is a vector: write Vector in its place (in a scene: Eigen::Vector3d).\n'
-  fi
+  meaning <<<"$error"
 elif line=$(here <<<"$text" | head -n 1) && [ -n "$line" ]; then
   # A template of the course, or of Eigen, that a line of the learner's uses.
   line=${line##*"$shown:"}

@@ -47,9 +47,13 @@ std::string spelled(const std::vector<const Part*>& parts, const std::vector<dou
     const double wanted = parts[i]->wanted, found = times[i];
     const std::string so_often = to_rounded_text(found, 4) + " times";
     if (is(found, wanted)) continue;
-    if (is(found, 0)) missing.push_back(name);
-    if (wanted == 0 && is(found, 1)) instead.push_back(name);
-    if (wanted == 0 && !is(found, 1)) instead.push_back(so_often + " " + name);
+    if (is(found, 0) || (parts[i]->inside && is(found, -1))) {
+      missing.push_back(name);
+    } else if (wanted == 0) {
+      instead.push_back(is(found, 1)    ? name
+                        : is(found, -1) ? "minus " + name
+                                        : so_often + " " + name);
+    }
     if (wanted == 1 && is(found, -1)) words.push_back(name + " has the wrong sign");
     if (wanted == 1 && !is(found, 0) && !is(found, -1))
       words.push_back(name + " is taken " + so_often);
@@ -84,6 +88,10 @@ bool near(const Triple& a, const Triple& b, double tolerance) {
     if (!(std::abs(a[i] - b[i]) <= tolerance)) return false;  // "not a number" is near nothing
   }
   return true;
+}
+
+bool is_number(const Triple& answer) {
+  return std::all_of(answer.begin(), answer.end(), [](double x) { return std::abs(x) < 1e200; });
 }
 
 std::string composition(const Evidence& e, const Indices& where) {

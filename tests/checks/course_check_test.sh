@@ -53,6 +53,12 @@ shows "State<double> start{5.0, 0.0}"
 ! grep -qF -- '-mass * gravity;  // downwards' <<<"$out" || fails "the answer is in the skeleton"
 
 for n in 1 2 3 3; do run 0 check --hint; shows "hint $n of 3"; done
+run 0 check 1 --hint 1 # a number after a stage: that hint, and on from there
+shows "hint 1 of 3"
+run 0 check --hint 1 # else it is the stage
+shows "hint 2 of 3"
+run 2 check 1 --hint 4
+shows "there is no hint '4'"
 
 splice "$top/tests/mistakes/01_free_fall/gravity_points_up.hpp" "$mine"
 cp "$mine" "$BOUNCE_MINE/before"
@@ -76,7 +82,8 @@ run 0 check
 shows "Speed against error"
 shows "Progress [#"
 shows "./course play 1 --mine"
-shows "Next: stage 2"
+shows "with asserts on"
+shows "Next: stage 2."
 
 run 1 check # goes on with stage 2
 shows "$BOUNCE_MINE/02_spring_floor/mine.hpp"
@@ -142,6 +149,7 @@ mkdir "$BOUNCE_MINE/05_ball_collision"
 } >"$five"
 echo 'double twice(double x) { return x + x; }' >"$BOUNCE_MINE/05_ball_collision/my_helpers.h"
 run 0 check 5
+shows "Next: stage 1 (not done yet)"
 run 0 play 5 --mine --headless --duration 0.01
 shows "05_ball_collision: method=semi-implicit-euler"
 

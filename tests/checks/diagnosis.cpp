@@ -9,7 +9,6 @@ namespace bounce::check {
 
 namespace {
 
-bool finite(const Triple& t) { return std::isfinite(t[0] + t[1] + t[2]); }
 bool right(const Evidence& e, std::size_t i) {
   return near(e.got[i], e.expected[i], e.rounding[i]);
 }
@@ -85,7 +84,7 @@ std::string in_general(const Evidence& e) {
   std::size_t no_number = 0, changed = 0, same = 0, wrong = 0, moved = 0;
   double error = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    no_number += !finite(e.got[i]);
+    no_number += !is_number(e.got[i]);
     changed += !near(e.got[i], e.again[i], 0);
     same += near(e.got[i], e.got[0], 0);
     moved += !near(e.expected[i], e.expected[0], 0);
@@ -97,11 +96,14 @@ std::string in_general(const Evidence& e) {
     if (!right(e, i)) error = std::max(error, size_of(off) / size);
   }
   if (no_number > 0) {
-    return "not a number (0 / 0, or the root of a negative number?) in " +
+    return "not a number (no value given, 0 / 0, or the root of a negative number?) in " +
            std::to_string(no_number) + " of " + std::to_string(n) + " cases";
   }
   const char* memory = "your code remembers something from one call to the next (`static`?)";
-  if (changed > 0) return std::string("the same question, asked twice, got two answers: ") + memory;
+  if (changed > 0) {
+    return std::string("the same question, asked twice, got two answers: a variable was never ") +
+           "given a value, or " + memory;
+  }
   if (n > 1 && same == n && moved > 0 && size_of(e.got[0]) > 0) {
     return right(e, 0)
                ? std::string("right for the first case, and the same for all others: ") + memory

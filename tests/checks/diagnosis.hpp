@@ -11,6 +11,7 @@ struct Part {
   std::string name;           // "the spring k (r - y)"
   double wanted;              // how many times it is in the right answer: 1, or 0
   std::vector<Triple> value;  // for each question
+  bool inside = false;        // a piece of another part: without it that is too small
 };
 
 /// All that was asked in one check, and what came back.
@@ -24,6 +25,8 @@ struct Evidence {
 };
 
 bool near(const Triple& a, const Triple& b, double tolerance);
+/// What was never given a value is "not a number", or larger than any answer (judged_flags).
+bool is_number(const Triple& answer);
 
 /// Where the answers are right and where they are wrong, and of what the wrong ones are made. Each
 /// sentence holds for all of the answers of which it speaks: what fits only roughly is not said.

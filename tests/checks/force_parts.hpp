@@ -57,6 +57,7 @@ std::vector<PartOf<Probe>> force_parts(ContactOf contact, MomentOf moment) {
            [=](S s, C c) { return lets_go(s, c) ? spring(s, c) : 0; });
   add_push("the damper, where the contact is push_only", 0,
            [=](S s, C c) { return s.push_only && !lets_go(s, c) ? damper(s, c) : 0; });
+  all.back().inside = true;
   add_push("the size of the velocity, c |v|", 0,
            [](S s, C c) { return -s.damping * std::abs(c.away); });
   add_push("c v^2", 0, [](S s, C c) { return -s.damping * c.away * c.away; });
@@ -65,6 +66,7 @@ std::vector<PartOf<Probe>> force_parts(ContactOf contact, MomentOf moment) {
   add_push("c times the overlap", 0, [](S s, C c) { return s.damping * c.overlap; });
   add_push("c times the radius", 0, [](S s, C) { return s.damping * s.radius; });
   add_push("k times the radius", 0, [](S s, C) { return s.stiffness * s.radius; });
+  all.back().inside = true;
   add_push("the overlap, without the stiffness", 0, [](S, C c) { return c.overlap; });
   add("a spring in the air", 0,
       [=](S s, C c, M) { return times(c.touches ? 0 : spring(s, c), c.direction); });
@@ -102,6 +104,28 @@ std::vector<PartOf<Probe>> force_parts(ContactOf contact, MomentOf moment) {
   add("c times the speed |v|, whatever its direction", 0, [](S s, C c, M m) {
     return times(c.touches ? -s.damping * length(m.motion.velocity) : 0, c.direction);
   });
+  return all;
+}
+
+/// The limit of push_only is on the whole force: in contact, or everywhere.
+template <class ContactOf>
+std::vector<Suspect<Moment>> limits_the_weight(ContactOf contact) {
+  std::vector<Suspect<Moment>> all;
+  for (const bool everywhere : {false, true}) {
+    all.push_back({"push_only limits the weight, too",
+                   "the limit is for the push of spring and damper only; gravity stays: take "
+                   "std::max(0.0, push) before you add it to the force.",
+                   [=](const Moment& m) {
+                     const Contact c = contact(m);
+                     Setting pulls = m.setting;
+                     pulls.push_only = false;
+                     Triple force = plus(up(-m.weight()), c.direction,
+                                         c.touches ? push(pulls, c.overlap, c.away) : 0);
+                     if (m.setting.push_only && (c.touches || everywhere))
+                       force[1] = std::max(0.0, force[1]);
+                     return force;
+                   }});
+  }
   return all;
 }
 

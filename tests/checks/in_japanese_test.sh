@@ -31,6 +31,9 @@ says '    seen      beside the disc, near its rim: r1 is taken 2 times and r2 is
   '    様子        円板の横、縁の近く：r1 が 2 倍になっています、r2 がありません'
 says '    seen      wrong in every case; the whole push, along y, in place of the spring and the damper' \
   '    様子        どの場合も間違い；ばねの力、ダンパの力の代わりに y 方向の押す力全体があります'
+says '    seen      wrong in the air; too much: minus the radius' '    様子        間違い：空中；余計なもの：マイナスの半径'
+says '    look at   in meet: d is 0 there, and 0 / 0 is no direction.' \
+  '    見るところ  meet()：そこでは d が0で、0 / 0 は向きになりません。'
 # A lesson leads to its Japanese page where there is one.
 says '    lesson    docs/03_damping.md, "The idea"' '    レッスン    docs/ja/03_damping.md「考え方」'
 says '    lesson    docs/09_drag.md, "The idea"' '    レッスン    docs/09_drag.md「考え方」'

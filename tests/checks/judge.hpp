@@ -46,6 +46,7 @@ struct PartOf {
   std::string name;
   double wanted;  // 1; 0 for what is in wrong answers only
   std::function<Triple(const Probe&)> value;
+  bool inside = false;  // a piece of another part: without it that is too small
 };
 
 /// What is asked of the subject, and how a wrong answer is explained.
@@ -66,6 +67,8 @@ struct Question {
   std::vector<PartOf<Probe>> parts = {};
   // What a part may have been multiplied with, or divided by, and should not: {"the mass", ...}
   std::vector<std::pair<std::string, std::function<double(const Probe&)>>> factors = {};
+  // "d is 0 there": what could have been divided by; empty: nothing.
+  std::function<std::string(const Probe&)> zero = nullptr;
 };
 
 /// What the learner reads after the first failure.
@@ -116,10 +119,29 @@ void look_closer(const Question<Probe>& question, const std::vector<Probe>& prob
   for (std::size_t i = probes.size(); i-- > 0;) e.again[i] = question.answer(probes[i]);
   for (const Probe& probe : probes) e.place.push_back(question.place ? question.place(probe) : "");
   for (const PartOf<Probe>& part : question.parts) {
-    e.parts.push_back({part.name, part.wanted, {}});
+    e.parts.push_back({part.name, part.wanted, {}, part.inside});
     for (const Probe& probe : probes) e.parts.back().value.push_back(part.value(probe));
   }
   add_products(question, probes, e);
+}
+
+/// For answers that are no numbers: what is 0 wherever they are none, or else what was never set.
+template <class Probe>
+void explain_no_number(const Question<Probe>& question, const std::vector<Probe>& probes,
+                       const Evidence& e, Finding& finding) {
+  std::string zero;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    if (is_number(e.got[i])) continue;
+    zero = question.zero ? question.zero(probes[i]) : "";
+    if (zero.empty()) {
+      finding.mistake = "a variable that was never given a value";
+      finding.advice =
+          "`Eigen::Vector3d F;` is not zero, and `double x;` is not 0: begin with F(0, 0, 0). (Or "
+          "is it 0 / 0, or the root of a negative number?)";
+      return;
+    }
+  }
+  if (!zero.empty()) finding.advice = zero + ", and 0 / 0 is no direction.";
 }
 
 /// Asks all probes. If an answer is wrong, the suspect that gives *all* of the subject's answers,
@@ -162,6 +184,8 @@ void judge(const Question<Probe>& question, const std::vector<Probe>& probes) {
   } else if (guilty != question.suspects.end()) {
     finding.mistake = guilty->mistake;
     finding.advice = guilty->advice;
+  } else {
+    explain_no_number(question, probes, e, finding);
   }
   fail(finding);
 }

@@ -85,6 +85,11 @@ void Verdict::hear(const Record& record) {
 
 void Verdict::end(const Ending& ending) {
   ending_ = ending;
+  if (speed_shown_) {
+    std::printf(
+        "    (Both in one short run of the checks, with asserts on: lessons and play measure "
+        "other runs.)\n");
+  }
   if (!quiet_) show_ending();
 }
 

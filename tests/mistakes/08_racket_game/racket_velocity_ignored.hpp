@@ -1,6 +1,7 @@
 // The ball's own velocity: the result depends on who watches.
 // check: a racket that moves and turns: the damper sees the velocity between the two
 // told: racket velocity ignored
+// seen: c times the racket's velocity is missing
 
 // [force]
 Eigen::Vector3d force(double t, const State<Eigen::Vector3d>& state) const {
