@@ -34,7 +34,7 @@ Question<Moment> force_question(const std::string& tested) {
   };
   q.place = [=](const Moment& m) { return contact_place(contact(m), m.setting.radius); };
   const auto itself = [](const Moment& m) { return m; };
-  q.parts = force_parts<Moment>(contact, itself);
+  q.parts = force_parts<Moment>(contact, itself, true);
   q.factors = force_factors<Moment>(contact, itself);
   q.suspects = {
       {"<= instead of <",

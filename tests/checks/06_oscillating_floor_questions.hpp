@@ -91,7 +91,7 @@ inline Question<Moment> force_question(const std::string& tested) {
     return contact_place(c, m.setting.radius) + laws[m.setting.floor_law];
   };
   const auto itself = [](const Moment& m) { return m; };
-  q.parts = force_parts<Moment>(contact, itself);
+  q.parts = force_parts<Moment>(contact, itself, true);
   q.factors = force_factors<Moment>(contact, itself);
   const auto in_contact = [&](const char* name, auto size) {
     q.parts.push_back(
@@ -103,9 +103,6 @@ inline Question<Moment> force_question(const std::string& tested) {
   in_contact("c times the floor's speed",
              [](const Moment& m) { return m.setting.damping * speed(m); });
   q.parts.back().inside = true;
-  for (PartOf<Moment>& part : q.parts) {
-    if (part.name == "c times v_y") part.name = "c times v";  // on a line there is one
-  }
   const auto view = [](auto change) {
     return [change](const Moment& m) {
       View v = seen(m);

@@ -66,7 +66,9 @@ std::string spelled(const std::vector<const Part*>& parts, const std::vector<dou
   } else if (!found.empty()) {
     words.push_back("too much: " + found);
   }
-  return listed(words);
+  std::string text = listed(words);
+  if (text.ends_with(',')) text.pop_back();  // of a name that is set off by commas
+  return text;
 }
 
 }  // namespace

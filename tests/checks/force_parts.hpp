@@ -26,7 +26,7 @@ inline std::string contact_place(const Contact& c, double radius) {
 /// Weight, spring and damper, and what learners write in their place. `contact` tells a probe's
 /// Contact, and `moment` its setting and motion.
 template <class Probe, class ContactOf, class MomentOf>
-std::vector<PartOf<Probe>> force_parts(ContactOf contact, MomentOf moment) {
+std::vector<PartOf<Probe>> force_parts(ContactOf contact, MomentOf moment, bool on_a_line = false) {
   std::vector<PartOf<Probe>> all;
   const auto add = [&](const char* name, double wanted, auto value) {
     all.push_back({name, wanted, [=](const Probe& probe) {
@@ -80,7 +80,7 @@ std::vector<PartOf<Probe>> force_parts(ContactOf contact, MomentOf moment) {
     static const char* braked[] = {"c times v_x", "c times v_y", "c times v_z"};
     static const char* along[] = {"the whole push, along x,", "the whole push, along y,",
                                   "the whole push, along z,"};
-    add(braked[axis], 0, [=](S s, C c, M m) {
+    add(on_a_line && axis == 1 ? "c times v" : braked[axis], 0, [=](S s, C c, M m) {
       return times(c.touches ? -s.damping * m.motion.velocity[axis] : 0, c.direction);
     });
     add(along[axis], 0, [=](S s, C c, M) {

@@ -7,6 +7,10 @@ FNR == NR {
   if (english == "") { english = $0; next }
   if (english ~ /[{]/) { pattern[++patterns] = english; meaning[patterns] = $0 } else exact[english] = $0
   if (english in exact && english ~ /, | and /) whole[++wholes] = english
+  if (sub(/,$/, "", english)) { # at the end of a sentence its last comma is gone
+    last[english] = $0
+    whole[++wholes] = english
+  }
   next
 }
 { print said($0, 0); fflush() }
@@ -60,6 +64,7 @@ function fits(text, like, depth, given,   k, from, to, then, at) { # given[1], .
 
 function listed(text, depth,   at, head, rest, sep) { # "A, B and C": A、B、C, when all of them are known
   if (text in exact) { known = 1; return exact[text] }
+  if (text in last) { known = 1; return last[text] }
   text = guarded(text)
   for (at = 2; at < length(text); at++) {
     sep = substr(text, at, 5) == " and " ? 5 : substr(text, at, 2) == ", " ? 2 : 0

@@ -34,6 +34,8 @@ says '    seen      wrong in every case; the whole push, along y, in place of th
 says '    seen      wrong in the air; too much: minus the radius' '    様子        間違い：空中；余計なもの：マイナスの半径'
 says '    look at   in meet: d is 0 there, and 0 / 0 is no direction.' \
   '    見るところ  meet()：そこでは d が0で、0 / 0 は向きになりません。'
+says '    seen      wrong in every case; too much: the radius and the whole push, along x' '    様子        どの場合も間違い；余計なもの：半径、x 方向の押す力全体'
+says '    seen      wrong in every case; too much: the whole push, along x' '    様子        どの場合も間違い；余計なもの：x 方向の押す力全体'
 # A lesson leads to its Japanese page where there is one.
 says '    lesson    docs/03_damping.md, "The idea"' '    レッスン    docs/ja/03_damping.md「考え方」'
 says '    lesson    docs/09_drag.md, "The idea"' '    レッスン    docs/09_drag.md「考え方」'

@@ -2,6 +2,7 @@
 // check: centres that coincide: ball 1 goes up, and nothing becomes not-a-number
 // told: none of the known mistakes
 // seen: wrong where the centres coincide; not a number
+// advice: in meet: d is 0 there, and 0 / 0 is no direction
 
 // [meeting]
 inline Meeting meet(const Ball& ball1, const Ball& ball2) {

@@ -2,6 +2,7 @@
 // check: over the disc the nearest point is straight below the ball
 // told: none of the known mistakes
 // seen: wrong straight above the centre; not a number
+// advice: the length of `outwards` is 0 there, and 0 / 0 is no direction
 
 // [nearest]
 NearestPoint nearest(const Disc& racket, const Eigen::Vector3d& ball) const {
