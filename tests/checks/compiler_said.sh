@@ -23,7 +23,9 @@ meaning() { # of an error that beginners often see, in the words of g++ and clan
     say 'A vector is wanted here, and this is a number: write Eigen::Vector3d(a, b, c).'
   elif fits "(operator[-+<>]|invalid operands|'[-+]=').*($number.*Eigen|Eigen.*$number)"; then
     say 'A number and a vector cannot be added, subtracted or compared: take one part of the vector, for instance .y().'
-  elif fits "(convert|conversion from) .*(Vector|Eigen::).* to '?double|to 'double' from incompatible type '.*Eigen"; then
+  elif fits "INVALID_VECTOR_VECTOR_PRODUCT|conver.*'(const )?(Eigen::)?Product<"; then
+    say 'Two vectors cannot be multiplied with *. Their dot product is dot(a, b).'
+  elif fits "(convert|conversion from) .*(Vector|Eigen::).* to '?(const )?double|to 'double' from incompatible type '.*Eigen"; then
     say 'A double holds one number, and this is a vector: write Vector in its place (in a scene: Eigen::Vector3d).'
   fi
 }
@@ -54,11 +56,13 @@ elif here <<<"${error%%$'\n'*}" >/dev/null; then
   printf '  It does not compile yet. The first thing that the compiler does not understand:\n\n'
   show <<<"$error"
   meaning <<<"$error"
-elif line=$(here <<<"$text" | head -n 1) && [ -n "$line" ]; then
+elif line=$(here <<<"$text" | grep -vE '^(In file included)? *from |warning: ' | head -n 1) && [ -n "$line" ]; then
   # A template of the course, or of Eigen, that a line of the learner's uses.
   line=${line##*"$shown:"}
   printf '  It does not compile yet. Something in this line of yours does not fit:\n\n'
-  printf '    %s: %s\n' "$shown:${line%%[:,]*}" "$(sed -n '1s/.*error: //p' <<<"$error")"
+  line=${line%%[:,]*}
+  printf '    %s: %s\n    %s | %s\n' "$shown:$line" "$(sed -n '1s/.*error: //p' <<<"$error")" "$line" "$(sed -n "${line}p" "$file")"
+  meaning <<<"$error"
 elif [ -n "$error" ]; then
   printf '  Your file is understood, but the checks ask for something that they do not find in it:\n\n'
   sed -n '1s/.*error: /    /p' <<<"$error"
