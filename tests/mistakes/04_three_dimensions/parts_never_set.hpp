@@ -1,7 +1,7 @@
 // A vector is not zero by itself.
 // check: in the air gravity acts, along y only
 // told: a variable that was never given a value
-// seen: not a number (no value given
+// seen: no value given
 
 // [force]
 Eigen::Vector3d force(double /*t*/, const State<Eigen::Vector3d>& state) const {
