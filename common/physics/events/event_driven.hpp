@@ -68,6 +68,7 @@ class EventDriven {
   double next_event() const { return start_ + end_.after; }  // [s]; `never` when there is none
   double last_event() const { return start_; }  // [s]; the start before the first event
   Phase phase() const { return phase_; }
+  const Phases& phases() const { return phases_; }
   const State<Vector>& state_at_last_event() const { return state_; }
 
   void pass_event() {

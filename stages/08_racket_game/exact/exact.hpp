@@ -5,15 +5,15 @@
 #include "08_racket_game/racket_game.hpp"
 #include "physics/events/closed_form.hpp"
 #include "physics/events/first_zero.hpp"
+#include "run/simulation.hpp"
 
 namespace bounce {
 
-/// The ball reached the rim. There the push turns with the ball, and no formula solves that.
-struct RimReached {};
-
 /// Stage 8 in closed form, seen from a racket in uniform motion that does not turn: positions and
 /// velocities count from its centre. From there the racket rests, and it is stage 7 - as long as
-/// the ball touches the disc inside its rim, or passes beside it.
+/// the ball touches the disc inside its rim, or passes beside it. At the rim the push turns with
+/// the ball, and no formula solves that: it is the last event, and to move on from there throws
+/// NoClosedForm.
 class RacketExact {
  public:
   using Ball = State<Eigen::Vector3d>;
@@ -34,7 +34,13 @@ class RacketExact {
     return phase;
   }
 
+  void begin(double t) { phase_start_ = t; }
+
   Ball move(Phase phase, const Ball& start, double t) const {
+    if (is_at_rim_) {
+      throw NoClosedForm(phase_start_,
+                         "the ball meets the racket's rim, for which there is no closed form,");
+    }
     const Ball flown = fly(start, t);
     if (phase != Phase::touch) return flown;
     const State<double> height = on_side(side_).move(phase, upwards(side_, start), t);
@@ -42,6 +48,7 @@ class RacketExact {
   }
 
   PhaseEnd end_of(Phase phase, const Ball& start) {
+    if (is_at_rim_) return {never, phase};
     if (phase == Phase::flight) return end_of_flight(start);
     const PhaseEnd end = on_side(side_).end_of(phase, upwards(side_, start));
     const FirstZero rim = time_to_rim(start, end.after);
@@ -50,14 +57,15 @@ class RacketExact {
     return rim.t < end.after ? PhaseEnd{rim.t, phase} : end;
   }
 
-  /// Throws RimReached when that is the event. Nothing happens at all where a search for the rim
-  /// took too many looks: it goes on from here.
+  /// Nothing happens where a search for the rim took too many looks: it goes on from here.
   Ball at_event(Phase before, Phase after, const Ball& ball) {
-    if (reaches_rim_) throw RimReached{};
-    if (before == after) return ball;
+    is_at_rim_ = reaches_rim_;
+    if (is_at_rim_ || before == after) return ball;
     if (before == Phase::flight) side_ = side_of(ball);
     return at_height(ball, on_side(side_).at_event(before, after, upwards(side_, ball)));
   }
+
+  bool is_at_rim() const { return is_at_rim_; }
 
  private:
   // ---- The two directions: along the normal it is stage 3, along the disc a parabola.
@@ -185,7 +193,17 @@ class RacketExact {
   Eigen::Vector3d gravity_;
   BouncePhases front_, back_;
   int side_;  // of the disc that the ball touches or touched last
-  bool reaches_rim_ = false;
+  bool reaches_rim_ = false;  // at the end of this phase
+  bool is_at_rim_ = false;
+  double phase_start_ = 0;  // s
 };
+
+/// A ball as it is seen from a disc that does not turn, and back as it is seen from the ground.
+inline State<Eigen::Vector3d> seen_from(const Disc& disc, const State<Eigen::Vector3d>& ball) {
+  return {ball.position - disc.centre, ball.velocity - disc.velocity};
+}
+inline State<Eigen::Vector3d> from_ground(const Disc& disc, const State<Eigen::Vector3d>& seen) {
+  return {seen.position + disc.centre, seen.velocity + disc.velocity};
+}
 
 }  // namespace bounce

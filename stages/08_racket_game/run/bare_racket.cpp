@@ -48,19 +48,20 @@ Truth<RacketTruth, Eigen::Vector3d> BareRacketWorld::truth(double t, const Ball&
   constexpr double tightest = 1e-14;
   book_start_ = t;
   ball_at_book_start_ = ball;
-  const RacketTruth::AtRim at_rim(contacts(t, seen_from_racket), t, seen_from_racket, tightest);
-  return {RacketTruth(RacketWalk(scene_now(), t, ball), at_rim), 5000000};
+  const Ball& seen = seen_from_racket;
+  const RacketTruth::AtRim at_rim(contacts(t, seen), t, seen, tightest);
+  return {RacketTruth(scene_now(), {phases(), t, seen}, at_rim), 5000000};
 }
 
 double BareRacketWorld::go_towards(ExactBesideRacket& method, double t, long long most_events,
                                    Ball& ball) {
-  const RacketWalk& walk = method.walk;
-  const double reached = method.go_towards(t, most_events, ball);
+  const double reached = method.go_towards(t, most_events, seen_from_racket);
+  ball = from_ground(disc(reached), seen_from_racket);
   seen_from_racket = seen_from(disc(reached), ball);
   // In contact the side is that of the touch.
   Racket scene = scene_at_rest();
-  const bool flies = walk.phase() == Phase::flight;
-  scene.start_side(0, flies ? seen_from_racket.position : walk.seen_at_last_event().position);
+  const bool flies = method.walk.phase() == Phase::flight;
+  scene.start_side(0, (flies ? seen_from_racket : method.walk.state_at_last_event()).position);
   take_side_of(scene);
   return reached;
 }

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "08_racket_game/exact/walk.hpp"
+#include "08_racket_game/exact/exact.hpp"
 #include "08_racket_game/reference/racket_contacts.hpp"
 #include "08_racket_game/run/racket_setup.hpp"
 #include "08_racket_game/run/racket_steps.hpp"
@@ -11,22 +11,16 @@
 namespace bounce {
 
 /// `exact` and `reference` for a ball and a racket in uniform motion: both walk in the racket's
-/// frame of reference.
-struct ExactBesideRacket : EventMethod<RacketWalk> {
-  static constexpr Method facts = methods::exact;
-
+/// frame of reference, where the racket rests. Nothing in a contact depends on who watches.
+template <class Walks>
+struct BesideRacket : Walks {
   template <class World>
-  ExactBesideRacket(const World& world, double t, const State<Eigen::Vector3d>& ball,
-                    double /*tolerance*/)
-      : EventMethod<RacketWalk>{{world.scene_now(), t, ball}} {}
+  BesideRacket(const World& world, double t, const State<Eigen::Vector3d>& /*ball*/,
+               double tolerance)
+      : Walks(world, t, world.seen_from_racket, tolerance) {}
 };
-
-struct ReferenceBesideRacket : ReferenceMethod<RacketContacts, Eigen::Vector3d> {
-  template <class World>
-  ReferenceBesideRacket(const World& world, double t, const State<Eigen::Vector3d>& /*ball*/,
-                        double tolerance)
-      : ReferenceMethod(world, t, world.seen_from_racket, tolerance) {}
-};
+using ExactBesideRacket = BesideRacket<ExactMethod<RacketExact, Eigen::Vector3d>>;
+using ReferenceBesideRacket = BesideRacket<ReferenceMethod<RacketContacts, Eigen::Vector3d>>;
 
 /// What a ball beside a racket in uniform motion is compared with (Truth): the closed form as far
 /// as it goes; from the moment on at which the ball meets the rim, the reference. It goes from the
@@ -34,24 +28,28 @@ struct ReferenceBesideRacket : ReferenceMethod<RacketContacts, Eigen::Vector3d> 
 class RacketTruth {
  public:
   using Ball = State<Eigen::Vector3d>;
+  using Exact = EventDriven<RacketExact, Eigen::Vector3d>;
   using AtRim = RacketReference;
 
-  RacketTruth(RacketWalk walk, AtRim at_rim) : walk_(std::move(walk)), at_rim_(std::move(at_rim)) {}
+  /// Both as it is seen from the racket of `scene`.
+  RacketTruth(const Racket& scene, Exact exact, AtRim at_rim)
+      : scene_(scene), exact_(std::move(exact)), at_rim_(std::move(at_rim)) {}
 
   bool reach(double t, long long most_events) {
-    if (!is_at_rim_) {
-      if (!walk_.reach(t, most_events)) return false;
-      is_at_rim_ = walk_.meets_rim_before(t);
-    }
-    return !is_at_rim_ || at_rim_.reach(t, most_events);
+    if (!is_at_rim() && !exact_.reach(t, most_events)) return false;
+    return !is_at_rim() || at_rim_.reach(t, most_events);
   }
-  double last_event() const { return is_at_rim_ ? at_rim_.last_event() : walk_.last_event(); }
-  Ball at(double t) { return is_at_rim_ ? walk_.to_ground(at_rim_.at(t), t) : walk_.at(t); }
+  double last_event() const { return is_at_rim() ? at_rim_.last_event() : exact_.last_event(); }
+  Ball at(double t) {
+    return from_ground(scene_.disc_at(t), is_at_rim() ? at_rim_.at(t) : exact_.at(t));
+  }
 
  private:
-  RacketWalk walk_;
+  bool is_at_rim() const { return exact_.phases().is_at_rim(); }
+
+  Racket scene_;
+  Exact exact_;
   AtRim at_rim_;
-  bool is_at_rim_ = false;
 };
 
 /// Stage 8 without the game, for RunOf (run.hpp): a ball and a racket in uniform motion. Nothing in
@@ -84,6 +82,7 @@ class BareRacketWorld {
   }
   /// Chooses the side on which the ball is, and looks at it from the racket.
   void place(double t, const Ball& ball);
+  RacketExact phases() const { return RacketExact(scene_at_rest()); }
   RacketContacts contacts(double /*t*/, const Ball& seen) const { return {scene_at_rest(), seen}; }
   Truth<TruthWalk, Vector> truth(double t, const Ball& ball);
 
