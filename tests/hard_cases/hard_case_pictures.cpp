@@ -46,9 +46,6 @@ std::string growing_bounce() {
 
 /// A ball at 20 m/s and a disc at height 0; steps of 10 ms.
 std::string thin_disc() {
-  const auto rk4_step = [] {
-    return [](const auto& s, double t, auto& x, double h) { rk4(s, t, x, h); };
-  };
   Racket scene;
   scene.gravity = 0;
   scene.damping = 0;
@@ -56,7 +53,7 @@ std::string thin_disc() {
   scene.disc.radius = 1;
   State<Eigen::Vector3d> ball{{0, 0.71, 0}, {0, -20, 0}}, looked_at = ball;
   Racket naive = scene;
-  ContactSteps steps(scene, rk4_step);
+  ContactSteps<Rk4> steps(scene);
   std::string through, back;
   for (int i = 0; i <= 8; ++i) {
     through += point(i * 10, looked_at.position.y());

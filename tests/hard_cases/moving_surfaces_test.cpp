@@ -18,14 +18,6 @@ using Eigen::Vector3d;
 using test::run_program;
 using SpaceBall = State<Vector3d>;
 
-namespace {
-
-const auto rk4_step = [] {
-  return [](const auto& s, double t, SpaceBall& x, double h) { rk4(s, t, x, h); };
-};
-
-}  // namespace
-
 TEST_CASE("hard case: a thin disc is not tunnelled, at 400 m/s and 10 ms a step") {
   // The disc has no thickness. In a step of 10 ms a ball at 400 m/s moves by 40 of its radii.
   for (const double speed : {20.0, 100.0, 400.0}) {
@@ -37,7 +29,7 @@ TEST_CASE("hard case: a thin disc is not tunnelled, at 400 m/s and 10 ms a step"
       scene.disc.radius = 1;
       SpaceBall naive{{0.1, start, 0}, {0, -speed, 0}}, ball = naive;
       Racket looked_at = scene;
-      ContactSteps steps(scene, rk4_step);
+      ContactSteps<Rk4> steps(scene);
       for (int i = 0; i < 20; ++i) {
         steps(i * 0.01, ball, 0.01);
         // Naively: the side is where the centre is, and the force is asked for at steps only.
@@ -62,7 +54,7 @@ TEST_CASE("hard case: a ball that is pressed in and slides off sideways gains no
     scene.damping = 0;
     SpaceBall ball{{x, 0.05, 0}, {2, -0.5, 0}};  // half a radius deep, outwards
     const double before = scene.energy(0, ball).total();
-    ContactSteps steps(scene, rk4_step);
+    ContactSteps<Rk4> steps(scene);
     for (int i = 0; i < 50; ++i) steps(i * 1e-3, ball, 1e-3);
     CAPTURE(x);
     CHECK(ball.position.x() > 0.3);  // it did leave over the rim
@@ -92,7 +84,7 @@ TEST_CASE(
     Racket racket = scene;
     SpaceBall ball{{0.28, -through, 0}, {speed, 0, 0}};
     const double before = racket.energy(0, ball).total();
-    ContactSteps steps(racket, rk4_step);
+    ContactSteps<Rk4> steps(racket);
     for (int i = 0; i < 100; ++i) steps(i * 1e-3, ball, 1e-3);
     CAPTURE(speed);
     CHECK_FALSE(racket.through);  // it was let off

@@ -192,7 +192,7 @@ class RacketExact {
   double disc_radius_, ball_radius_;
   Eigen::Vector3d gravity_;
   BouncePhases front_, back_;
-  int side_;  // of the disc that the ball touches or touched last
+  int side_;                  // of the disc that the ball touches or touched last
   bool reaches_rim_ = false;  // at the end of this phase
   bool is_at_rim_ = false;
   double phase_start_ = 0;  // s

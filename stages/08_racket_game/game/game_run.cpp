@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "08_racket_game/game/round_step.hpp"
-#include "08_racket_game/run/racket_steps.hpp"
+#include "08_racket_game/run/contact_steps.hpp"
 #include "physics/remembered.hpp"
 #include "run/rows.hpp"
 
@@ -103,8 +103,8 @@ void GameRun::one_step(double dt) {
                           "take a shorter --dt");
   }
   const auto move_ball = [this](Racket& scene, Ball& ball, double h) {
-    const RacketStep taken = method_.visit(
-        [&](auto& method) { return racket_step(method, scene, 0, ball, h, nullptr); });
+    const RacketStep taken =
+        method_.visit([&](auto& method) { return racket_step(method, scene, 0, ball, h); });
     more_pieces_ += taken.pieces;
     return taken.touches;
   };

@@ -3,8 +3,8 @@
 
 #include "08_racket_game/exact/exact.hpp"
 #include "08_racket_game/reference/racket_contacts.hpp"
+#include "08_racket_game/run/contact_steps.hpp"
 #include "08_racket_game/run/racket_setup.hpp"
-#include "08_racket_game/run/racket_steps.hpp"
 #include "physics/remembered.hpp"
 #include "run/run.hpp"
 
@@ -98,19 +98,16 @@ class BareRacketWorld {
       return;
     }
     Racket scene = scene_at_rest();
-    // The damper's work over one piece, by the midpoint rule. Where no book is kept, a step costs
-    // nothing more.
+    // The damper's work over one piece, by the midpoint rule.
     const auto note = [&book](const Racket& law, double now, const Ball& before, const Ball& after,
                               double h) {
+      if (!book.is_kept) return;
       const Ball middle{(before.position + after.position) / 2,
                         (before.velocity + after.velocity) / 2};
       book.lost -= law.damper_power(now + h / 2, middle) * h;
     };
     for (long long i = 0; i < count; ++i) {
-      const RacketStep taken = book.is_kept
-                                   ? racket_step(method, scene, 0, seen_from_racket, dt, note)
-                                   : racket_step(method, scene, 0, seen_from_racket, dt, nullptr);
-      more_pieces_ += taken.pieces - 1;
+      more_pieces_ += racket_step(method, scene, 0, seen_from_racket, dt, note).pieces - 1;
     }
     take_side_of(scene);
     ball = from_ground(disc(t + static_cast<double>(count) * dt), seen_from_racket);

@@ -6,6 +6,7 @@
 #include "physics/events/closed_form.hpp"
 #include "physics/events/event_driven.hpp"
 #include "physics/stability.hpp"
+#include "run/whose_lines.hpp"
 
 namespace bounce {
 
@@ -18,6 +19,11 @@ inline double longest_contact_piece(const Racket& scene) {
   return semi_implicit_euler_limit(zeta) / omega0 / 2000;
 }
 
+/// Where nobody notes what a contact is made of.
+struct NoNote {
+  void operator()(const auto&...) const {}
+};
+
 /// Moves a ball by one step that sees every touch, however fast the racket is. In a step of 10 ms a
 /// racket at 15 m/s moves by 15 cm: looked at between the steps only, it would pass through the
 /// ball, or be found deep inside it and fling it away. So the step is cut at the touch, and is made
@@ -26,12 +32,12 @@ inline double longest_contact_piece(const Racket& scene) {
 /// In flight the force is known beforehand, and the parabola of stage 1 moves the ball: the touch
 /// is found on it without an error of the method. The method has the contact to itself.
 ///
-/// `make_step()` gives a fresh step of the method, step(scene, t, state, dt). Fresh, because what
-/// a method carries from step to step (velocity Verlet) is of no use after a touch.
-template <class MakeStep>
+/// The method begins afresh in each contact: what it carries from step to step (velocity Verlet) is
+/// of no use after a touch. `note(scene, t, before, after, dt)` is called after each of its pieces.
+template <class Method, class Note = NoNote>
 class ContactSteps {
  public:
-  ContactSteps(Racket& scene, const MakeStep& make_step) : scene_(scene), make_step_(make_step) {}
+  explicit ContactSteps(Racket& scene, const Note& note = {}) : scene_(scene), note_(note) {}
 
   void operator()(double t, State<Eigen::Vector3d>& state, double dt) {
     const double end = t + dt;
@@ -77,13 +83,15 @@ class ContactSteps {
 
   /// In contact for `left` seconds, or until the ball is off. Returns how long.
   double contact(double t, Ball& ball, double left) {
-    auto step = make_step_();
+    Method step{};
     const double count = std::ceil(left / longest_contact_piece(scene_));
     const double piece = left / count;
     double done = 0;
     for (double i = 0; i < count && gap(t + done, ball) < 0; ++i) {
       count_work(t + done);
+      const Ball before = ball;
       step(scene_, t + done, ball, piece);
+      note_(scene_, t + done, before, ball, piece);
       done = i + 1 < count ? done + piece : left;
       scene_.choose_side(t + done, ball.position);
       ++pieces;
@@ -126,8 +134,42 @@ class ContactSteps {
   }
 
   Racket& scene_;
-  const MakeStep& make_step_;
+  const Note note_;
   long long work_ = 0;  // pieces and looks of this step
 };
+
+/// How many touches a step saw, and in how many pieces of contact it was taken.
+struct RacketStep {
+  long long touches, pieces;
+};
+
+/// On a learner's lines there are no flights by formula and no cuts: a step is one step of the
+/// method, and only the learner's force says where the ball goes. Between two steps the racket may
+/// have moved, so what the method remembers does not hold.
+template <class Method>
+RacketStep whole_step(Method& method, Racket& scene, double t, State<Eigen::Vector3d>& ball,
+                      double dt) {
+  const auto touches = [&](double when) {
+    return scene.nearest(scene.disc_at(when), ball.position).distance < scene.radius;
+  };
+  const bool before = touches(t);
+  if constexpr (requires { method.forget(); }) {
+    method.forget();
+  } else {
+    method = {};
+  }
+  method(scene, t, ball, dt);
+  scene.choose_side(t + dt, ball.position);
+  return {!before && touches(t + dt) ? 1 : 0, 1};
+}
+
+template <class Method, class Note = NoNote>
+RacketStep racket_step(Method& method, Racket& scene, double t, State<Eigen::Vector3d>& ball,
+                       double dt, const Note& note = {}) {
+  if (is_mine) return whole_step(method, scene, t, ball, dt);
+  ContactSteps<Method, Note> steps(scene, note);
+  steps(t, ball, dt);
+  return {steps.touches, steps.pieces};
+}
 
 }  // namespace bounce
