@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "run/command_words.hpp"
-#include "run/restitution_error.hpp"
 #include "run/save_load.hpp"
 #include "run/step_warning.hpp"
 

@@ -10,7 +10,6 @@
 #include "physics/contact.hpp"
 #include "physics/stability.hpp"
 #include "run/one_ball_run.hpp"
-#include "run/restitution_error.hpp"
 #include "run/step_warning.hpp"
 #include "run_program.hpp"
 #include "run_with.hpp"
