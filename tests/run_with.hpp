@@ -1,12 +1,13 @@
 #pragma once
 #include <Eigen/Core>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "physics/components.hpp"
 #include "physics/methods/semi_implicit_euler.hpp"
-#include "run/simulation.hpp"
+#include "run/save_load.hpp"
 
 namespace bounce::test {
 
@@ -33,6 +34,14 @@ Run run_with(const Values& settings, Method method = methods::semi_implicit_eule
   Run run;
   set_up(run, settings, method, dt);
   return run;
+}
+
+/// The run that was saved there.
+template <class Run>
+Run loaded(const std::string& path, const StageName& stage) {
+  std::unique_ptr<Simulation> run = std::make_unique<Run>();
+  load_state(path, stage, {}, run);
+  return run_as<Run>(*run);
 }
 
 /// As --set takes it: "0.1,0.9,-0.3".

@@ -19,8 +19,8 @@ void apply_stage_options(const std::vector<StageOption>& of_stage, const Words& 
                          const Options& options, std::unique_ptr<Simulation>& simulation) {
   for (const StageOption& option : of_stage) {
     const auto given = options.of_stage.find(option.name);
-    if (given == options.of_stage.end() || !option.apply) continue;
-    if (!options.load.empty() && !option.replaces.empty()) {
+    if (given == options.of_stage.end()) continue;
+    if (!options.load.empty() && (option.go_on || !option.replaces.empty())) {
       throw BadInput("--load brings its own state: leave out " + option.name);
     }
     for (const std::string& setting : words.set) {
@@ -29,7 +29,7 @@ void apply_stage_options(const std::vector<StageOption>& of_stage, const Words& 
       if (std::find(replaced.begin(), replaced.end(), name) == replaced.end()) continue;
       throw BadInput(option.name + " takes the place of " + name + ": give one of them");
     }
-    option.apply(simulation, given->second);
+    if (option.apply) option.apply(simulation, given->second);
   }
 }
 
@@ -127,20 +127,6 @@ void set_parameters(const std::vector<std::string>& settings, Simulation& simula
   }
 }
 
-void apply_saved_options(const std::string& path, const std::vector<StageOption>& of_stage,
-                         std::unique_ptr<Simulation>& simulation) {
-  for (const auto& [name, value] : saved_options(path)) {
-    for (const StageOption& option : of_stage) {
-      if (!option.is_saved || option.name != "--" + name) continue;
-      try {
-        option.apply(simulation, value);
-      } catch (const BadInput& error) {
-        throw BadInput("--load '" + path + "' is not allowed: it was saved with " + error.what());
-      }
-    }
-  }
-}
-
 bool parse_command_line(int argc, const char* const* argv, const StageName& stage,
                         std::unique_ptr<Simulation>& chosen, Options& options,
                         const std::vector<StageOption>& of_stage) {
@@ -157,32 +143,23 @@ bool parse_command_line(int argc, const char* const* argv, const StageName& stag
         "--dt, --tolerance and --set");
   }
   apply_stage_options(of_stage, words, options, chosen);
-  if (!options.load.empty()) apply_saved_options(options.load, of_stage, chosen);
-  Simulation& simulation = *chosen;
   if (words.seed) {
-    options.seed =
-        static_cast<std::uint64_t>(option_number("--seed", *words.seed, {0, 1e15}, "", true));
+    const double seed = option_number("--seed", *words.seed, {0, 1e15}, "", true);
+    chosen->use_seed(static_cast<std::uint64_t>(seed));
   }
-  simulation.use_seed(options.seed);
-  set_parameters(words.set, simulation);
-  if (words.method) {
-    simulation.use_method(find_method(*words.method, simulation.methods()));
-  }
-  if (words.dt) simulation.use_dt(step_from(*words.dt, simulation));
+  set_parameters(words.set, *chosen);
+  if (words.method) chosen->use_method(find_method(*words.method, chosen->methods()));
+  if (words.dt) chosen->use_dt(step_from(*words.dt, *chosen));
   if (words.tolerance) {
-    simulation.use_tolerance(
+    chosen->use_tolerance(
         option_number("--tolerance", *words.tolerance, Simulation::valid_tolerance));
   }
-  simulation.restart();
-  if (!options.load.empty()) {
-    load_state(options.load, stage, simulation);
-  }
+  chosen->restart();
+  if (!options.load.empty()) load_state(options.load, stage, of_stage, chosen);
+  Simulation& simulation = *chosen;
   for (const StageOption& option : of_stage) {
     const auto given = options.of_stage.find(option.name);
-    if (given == options.of_stage.end() || !option.go_on) continue;
-    if (!options.load.empty())
-      throw BadInput("--load brings its own state: leave out " + option.name);
-    option.go_on(simulation, given->second);
+    if (given != options.of_stage.end() && option.go_on) option.go_on(simulation, given->second);
   }
   if (const std::string why = simulation.traits().refusal; !why.empty()) throw BadInput(why);
   read_times(words, options, simulation.time());

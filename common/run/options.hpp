@@ -1,6 +1,5 @@
 #pragma once
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -52,7 +51,6 @@ struct Options {
   double sample = 0;       // s between trace rows; 0: a row every step
   std::vector<double> at;  // the times of the trace rows, ascending; empty: see `sample`
   std::string csv, screenshot, record, save, load;  // paths; empty: not wanted
-  std::uint64_t seed = 1;
   bool headless = false;  // also when a file is asked for that needs no window
   bool calm = false;
   bool from_above = false;
@@ -73,11 +71,6 @@ double option_number(const std::string& option, const std::string& text, Range v
 /// What follows each --set: "mass=2". First those that choose the others' defaults, wherever they
 /// stand. Throws BadInput.
 void set_parameters(const std::vector<std::string>& settings, Simulation& simulation);
-
-/// A saved run is of the kind that it was: applies what it has of the stage's own options. Throws
-/// BadInput.
-void apply_saved_options(const std::string& path, const std::vector<StageOption>& of_stage,
-                         std::unique_ptr<Simulation>& simulation);
 
 /// What `--list` prints: the methods, and every parameter with unit, default, valid values,
 /// meaning.

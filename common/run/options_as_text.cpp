@@ -7,7 +7,8 @@
 namespace bounce {
 
 std::string list_text(const StageName& stage, Simulation& fresh) {
-  std::string text = stage.name + ": " + stage.about + "\n\nmethods: " + names_of(fresh.methods()) +
+  std::string text = stage.name + ": " + stage.about +
+                     "\n\nmethods: " + join(names_of(fresh.methods())) +
                      " (default: " + name_of(fresh.method()) + ")\n\n";
   using Row = std::array<std::string, 5>;
   std::vector<Row> rows{{"parameter", "unit", "default", "valid", "meaning"}};

@@ -1,6 +1,7 @@
 #pragma once
-#include <map>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "run/options.hpp"
 #include "run/simulation.hpp"
@@ -12,12 +13,11 @@ namespace bounce {
 /// have given without the stop.
 void save_state(const std::string& path, const StageName& stage, Simulation& simulation);
 
-/// What a saved run has of the stage's own options (StageOption::is_saved), name by name. Throws
-/// BadInput as load_state does.
-std::map<std::string, std::string> saved_options(const std::string& path);
-
-/// Sets the simulation to what the file says. Throws BadInput when the file cannot be read, is
-/// damaged (its checksum fails), belongs to another stage, or was written by a newer program.
-void load_state(const std::string& path, const StageName& stage, Simulation& simulation);
+/// Sets the simulation to what the file says; before that it applies what the file has of the
+/// stage's own options (StageOption::is_saved), which may put another simulation in its place.
+/// Throws BadInput when the file cannot be read, is damaged (its checksum fails), belongs to
+/// another stage, or was written by a newer program.
+void load_state(const std::string& path, const StageName& stage,
+                const std::vector<StageOption>& of_stage, std::unique_ptr<Simulation>& simulation);
 
 }  // namespace bounce

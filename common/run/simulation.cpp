@@ -78,32 +78,18 @@ void Simulation::take_checked_steps(long long count, double t, double dt) {
   }
 }
 
-namespace {
-
-void check(const std::string& name, double value, Range valid) {
-  if (valid.contains(value)) return;
-  throw BadInput("its " + name + " is " + to_text(value) + ", and it must be from " +
-                 to_text(valid.lowest) + " to " + to_text(valid.highest));
-}
-
-void check_ranges(const Simulation::Memory& memory) {
-  check("dt", memory.dt, Simulation::valid_dt);
-  check("tolerance", memory.tolerance, Simulation::valid_tolerance);
-  check("time", memory.time, Simulation::valid_time);
-  check("grid_start", memory.grid_start, Simulation::valid_time);
-  check("grid_steps", static_cast<double>(memory.grid_steps), Simulation::valid_count);
-  check("steps", static_cast<double>(memory.steps), Simulation::valid_count);
-  check("into_step", memory.into_step, {0, memory.dt});
-  for (std::size_t i = 0; i < memory.numbers.size(); ++i) {
-    if (Simulation::valid_number.contains(memory.numbers[i])) continue;
-    check("state's number " + std::to_string(i + 1), memory.numbers[i], Simulation::valid_number);
-  }
-}
-
-}  // namespace
-
 void Simulation::recall(const Memory& memory) {
-  check_ranges(memory);
+  const auto check = [](const std::string& name, auto number, Range valid) {
+    const auto value = static_cast<double>(number);
+    if (valid.contains(value)) return;
+    throw BadInput("its " + name + " is " + to_text(value) + ", and it must be from " +
+                   to_text(valid.lowest) + " to " + to_text(valid.highest));
+  };
+  Memory::each(memory, check);
+  for (std::size_t i = 0; i < memory.numbers.size(); ++i) {
+    if (valid_number.contains(memory.numbers[i])) continue;
+    check("state's number " + std::to_string(i + 1), memory.numbers[i], valid_number);
+  }
   const double grid_time =
       memory.grid_start + static_cast<double>(memory.grid_steps) * memory.dt + memory.into_step;
   const double blur = 1e-6 * memory.dt + 1e-12 * grid_time;

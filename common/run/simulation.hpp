@@ -140,17 +140,28 @@ class Simulation {
   /// The next touch or lift-off [s], for the methods that go by events; else infinity.
   virtual double next_event() const { return never; }
 
+  // No run that begins with allowed parameters has numbers beyond `valid_number`, unless it
+  // explodes; there squares and products overflow, and a step may take for ever.
+  static constexpr Range valid_dt{1e-15, 1e15}, valid_tolerance{1e-15, 1}, valid_time{0, 1e15},
+      valid_count{0, 1e18}, valid_number{-1e100, 1e100};
+
   // ---- For `--save` and `--load`: all that the next step depends on, as plain numbers.
   struct Memory : StepClock::Memory {
-    double tolerance;
-    std::vector<double> numbers;  // state and the method's own memory (remembered.hpp)
+    double tolerance = 1e-12;
+    std::vector<double> numbers = {};  // state and the method's own memory (remembered.hpp)
+
+    /// visit(name, value, valid range) for all but these numbers, also of one that must not change.
+    template <class Self, class Visit>
+    static void each(Self& self, const Visit& visit) {
+      visit("time", self.time, valid_time);
+      visit("dt", self.dt, valid_dt);
+      visit("tolerance", self.tolerance, valid_tolerance);
+      visit("grid_start", self.grid_start, valid_time);
+      visit("grid_steps", self.grid_steps, valid_count);
+      visit("into_step", self.into_step, Range{0, self.dt});
+      visit("steps", self.steps, valid_count);
+    }
   };
-  // What its clock may say; into_step: from 0 to dt. It has gone on from a start at 0 by steps.
-  static constexpr Range valid_dt{1e-15, 1e15}, valid_tolerance{1e-15, 1}, valid_time{0, 1e15},
-      valid_count{0, 1e18};
-  // No run that begins with allowed parameters has such numbers, unless it explodes; beyond them
-  // squares and products overflow, and a step may take for ever.
-  static constexpr Range valid_number{-1e100, 1e100};
   Memory memory() const { return {clock_.memory(), tolerance_, numbers()}; }
   void recall(const Memory& memory);  // throws BadInput when it does not fit
 

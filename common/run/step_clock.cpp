@@ -5,11 +5,7 @@
 
 namespace bounce {
 
-void StepClock::restart() {
-  const double dt = now_.dt;
-  now_ = Memory{};
-  now_.dt = dt;
-}
+void StepClock::restart() { now_ = {.dt = now_.dt}; }
 
 void StepClock::start_grid_here() {
   now_.grid_start = now_.time;

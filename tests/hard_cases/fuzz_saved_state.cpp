@@ -116,8 +116,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::ofstream(path, std::ios::binary) << test::with_checksum(text);
   std::unique_ptr<Simulation> simulation = stage.make(), again = stage.make();
   try {
-    apply_saved_options(path, stage.options, simulation);
-    load_state(path, stage.name, *simulation);
+    load_state(path, stage.name, stage.options, simulation);
   } catch (const BadInput&) {
     std::filesystem::remove(path);
     return 0;
@@ -127,8 +126,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!std::isfinite(number)) std::abort();
   }
   save_state(path, stage.name, *simulation);
-  apply_saved_options(path, stage.options, again);
-  load_state(path, stage.name, *again);  // what we wrote, we must take: BadInput ends the run here
+  // What we wrote, we must take: BadInput ends the run here.
+  load_state(path, stage.name, stage.options, again);
   if (again->memory().numbers != memory.numbers) std::abort();
   std::filesystem::remove(path);
   return 0;

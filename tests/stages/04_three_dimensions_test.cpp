@@ -226,8 +226,7 @@ TEST_CASE("stage 4: a saved run goes on as if it had not stopped") {
     save_state(path, stage, whole);
     whole.advance_to(duration);
 
-    Run4 resumed;
-    load_state(path, stage, resumed);
+    Run4 resumed = test::loaded<Run4>(path, stage);
     resumed.advance_to(duration);
     const std::string name = name_of(method);
     CAPTURE(name);

@@ -499,8 +499,8 @@ TEST_CASE("stage 8: a saved game goes on as if it had not stopped") {
   whole.advance_to(4.321);
   save_state(path, stage, whole);
   whole.advance_to(9);
-  GameRun resumed;  // the file says who plays, and with which seed
-  load_state(path, stage, resumed);
+  // The file says who plays, and with which seed.
+  GameRun resumed = test::loaded<GameRun>(path, stage);
   resumed.advance_to(9);
   CHECK(ball_of(resumed).position == ball_of(whole).position);
   CHECK(resumed.round().score.hits == whole.round().score.hits);
@@ -510,8 +510,7 @@ TEST_CASE("stage 8: a saved game goes on as if it had not stopped") {
     ball.advance_to(0.4271);
     save_state(path, stage, ball);
     ball.advance_to(2);
-    BareRacketRun other;
-    load_state(path, stage, other);
+    BareRacketRun other = test::loaded<BareRacketRun>(path, stage);
     other.advance_to(2);
     const std::string name = name_of(method);
     CAPTURE(name);

@@ -173,8 +173,7 @@ TEST_CASE("stage 8: every mode is recorded, and saved, to the bit") {
     hand.play(run, 6);
     const StageName stage{"08_racket_game", ""};
     save_state(path, stage, run);
-    GameRun resumed;
-    load_state(path, stage, resumed);
+    const GameRun resumed = test::loaded<GameRun>(path, stage);
     CHECK(resumed.memory().numbers == run.memory().numbers);
     CHECK(resumed.round().points.total == run.round().points.total);
 
