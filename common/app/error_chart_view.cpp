@@ -72,7 +72,7 @@ std::vector<Method> methods_of(const ErrorChart& chart) {
       methods.push_back(dot.method);
     }
   }
-  if (chart.offers_exact()) methods.push_back(methods::exact);
+  if (chart.offers(methods::exact)) methods.push_back(methods::exact);
   return methods;
 }
 
@@ -183,8 +183,8 @@ std::optional<ChartChoice> error_chart_choice(Rect area, const ErrorChart& chart
   const Axes axes = axes_for(area, chart);
   const std::size_t names = methods_of(chart).size();
   const Rect exact = name_place(axes, names - 1, names);
-  if (chart.offers_exact() && at.x >= exact.x - 8 && at.x <= exact.right() && at.y >= exact.y &&
-      at.y <= exact.bottom()) {
+  if (chart.offers(methods::exact) && at.x >= exact.x - 8 && at.x <= exact.right() &&
+      at.y >= exact.y && at.y <= exact.bottom()) {
     return ChartChoice{methods::exact, 0};
   }
   std::optional<ChartChoice> nearest;

@@ -74,7 +74,7 @@ void ErrorChart::start_anew(const Simulation& simulation) {
   try {
     duration_ = without_bounces;
     const std::unique_ptr<Simulation> first = start_->clone();
-    const Method by_events = offers_exact() ? methods::exact : methods::reference;
+    const Method by_events = offers(methods::exact) ? methods::exact : methods::reference;
     if (offers(by_events)) {
       first->use_method(by_events);
       first->restart();

@@ -32,7 +32,7 @@ class ErrorChart {
   /// What the simulation's own method and time step give; nothing while that is not known.
   std::optional<Dot> now() const;
   double duration() const { return duration_; }  // of each run [s]
-  bool offers_exact() const { return offers(methods::exact); }
+  bool offers(Method method) const;
   /// Not empty when there is nothing to compare with: a sentence for the screen.
   const std::string& trouble() const { return trouble_; }
 
@@ -50,7 +50,6 @@ class ErrorChart {
     double error = 0;
   };
 
-  bool offers(Method method) const;
   void start_anew(const Simulation& simulation);
   void choose_steps();
   bool is_affordable(double dt) const;

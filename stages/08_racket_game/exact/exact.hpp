@@ -110,7 +110,8 @@ class RacketExact {
       const int side = side_of(ball);
       const State<double> height = upwards(side, ball);
       const bool is_beside = height.position < ball_radius_ * (1 - 1e-12) && !is_over_disc(ball);
-      const double down = is_beside ? 0 : time_to_height(side, ball);
+      const double above = std::max(0.0, height.position - ball_radius_);
+      const double down = is_beside ? 0 : time_to_fall(above, height.velocity, pull(side));
       if (down == never) break;
       ball = fly(ball, down);
       after += down;
@@ -125,11 +126,6 @@ class RacketExact {
       after += out;
     }
     return {never, Phase::flight};
-  }
-
-  double time_to_height(int side, const Ball& ball) const {
-    const State<double> height = upwards(side, ball);
-    return time_to_fall(std::max(0.0, height.position - ball_radius_), height.velocity, pull(side));
   }
 
   /// When a ball beside the disc, at most its radius from the disc's plane, is further away again.

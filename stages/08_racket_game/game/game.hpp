@@ -139,11 +139,10 @@ struct Score {
 
 /// A number from -1 to 1 that depends on the seed and on what it is for, and on nothing else: the
 /// same game comes again. (The mixing is splitmix64; Steele, Lea and Flood 2014.)
-inline double chance(std::uint64_t seed, std::uint64_t round, std::uint64_t hit,
-                     std::uint64_t which) {
+inline double chance(std::uint64_t seed, int round, int hit, int which) {
   std::uint64_t mixed = seed;
-  for (const std::uint64_t word : {round, hit, which}) {
-    mixed += 0x9e3779b97f4a7c15u + word;
+  for (const int word : {round, hit, which}) {
+    mixed += 0x9e3779b97f4a7c15u + static_cast<std::uint64_t>(word);
     mixed = (mixed ^ (mixed >> 30)) * 0xbf58476d1ce4e5b9u;
     mixed = (mixed ^ (mixed >> 27)) * 0x94d049bb133111ebu;
     mixed ^= mixed >> 31;
@@ -152,8 +151,7 @@ inline double chance(std::uint64_t seed, std::uint64_t round, std::uint64_t hit,
 }
 
 /// A push aside [m/s] of at most `strength`, in any direction.
-inline Eigen::Vector3d push(double least, double strength, std::uint64_t seed, std::uint64_t round,
-                            std::uint64_t hit) {
+inline Eigen::Vector3d push(double least, double strength, std::uint64_t seed, int round, int hit) {
   const double angle = std::numbers::pi * chance(seed, round, hit, 0);
   const double share = (1 + chance(seed, round, hit, 1)) / 2;
   const double speed = least + share * (strength - least);

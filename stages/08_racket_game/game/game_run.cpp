@@ -39,10 +39,6 @@ std::vector<double> GameRun::values() const {
   return row.take();
 }
 
-Racket GameRun::scene_now() const { return scene_of(settings_, round_, disc()); }
-
-Energy GameRun::energy() const { return scene_now().energy(0, round_.ball); }
-
 // ---- Where it begins
 
 void GameRun::reset_state() {
@@ -52,10 +48,7 @@ void GameRun::reset_state() {
                    "--player none, where the racket's movement is known beforehand");
   }
   settings_.seed = seed();
-  const int next = round_.number + (round_.score.lost ? 1 : 0);
-  const int best_points = round_.points.best;
-  round_ = begin_round(settings_, next, round_.score.best);
-  round_.points.best = best_points;
+  round_ = begin_round(settings_, round_);
   more_pieces_ = 0;
   next_entry_ = 0;
   if (record_) note_settings();
@@ -152,12 +145,8 @@ void GameRun::repeat() {
 }
 
 void GameRun::note_settings() {
-  record_->entries.clear();
-  record_->seed = settings_.seed;
-  record_->round = round_.number;
-  record_->dt = dt();
-  record_->method = name_of(method());
-  record_->parameters.clear();
+  *record_ = {
+      .seed = settings_.seed, .round = round_.number, .dt = dt(), .method = name_of(method())};
   for (const Parameter& parameter : parameters()) {
     record_->parameters.emplace_back(parameter.name, parameter.text());
   }

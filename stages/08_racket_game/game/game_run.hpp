@@ -27,7 +27,7 @@ class GameRun final : public Simulation {
   double gravity() const { return gravity_of(settings_, round_); }
   Disc disc() const { return disc_of(settings_, round_); }
   /// The racket as it is now, with the ball on its present side.
-  Racket scene_now() const;
+  Racket scene_now() const { return scene_of(settings_, round_, disc()); }
   double floor_height() const { return settings_.racket.disc.centre.y() - rules::floor_below; }
 
   // ---- How it is played
@@ -53,7 +53,7 @@ class GameRun final : public Simulation {
   std::vector<Method> methods() const override;
   Traits traits() const override;
   std::vector<double> values() const override;
-  Energy energy() const override;
+  Energy energy() const override { return scene_now().energy(0, round_.ball); }
   EnergyAccount energy_account() const override { return {energy().total(), 0}; }
   long long counted_force_evaluations() const override {
     return more_pieces_ * method().evaluations + method_.counted_evaluations();

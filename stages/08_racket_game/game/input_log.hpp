@@ -19,12 +19,12 @@ struct InputLog {
     long long step;  // the first step that sees it
     Input input;
   };
-  std::vector<Entry> entries;
+  std::vector<Entry> entries = {};
   std::uint64_t seed = 1;
   int round = 0;
   double dt = 1e-3;  // s
   std::string method = "semi-implicit-euler";
-  std::vector<std::pair<std::string, std::string>> parameters;
+  std::vector<std::pair<std::string, std::string>> parameters = {};
 
   /// Forgets what a run that was taken back had noted from `step` on.
   void note(long long step, const Input& input) {

@@ -95,11 +95,12 @@ inline Input assisted(Input input, const PlayerView& view) {
 struct BlindSwing {
   double frequency = 1.107;  // Hz
   double amplitude = 0.122;  // m
+  double phase = 0;
+  double top = 0;  // where the ball is at the start, at the top of its flight: its underside above
+                   // the middle of the sine [m]
 
   double angular_frequency() const { return 2 * std::numbers::pi * frequency; }
-  double height(double t, double phase) const {
-    return amplitude * std::sin(angular_frequency() * t + phase);
-  }
+  double height(double t) const { return amplitude * std::sin(angular_frequency() * t + phase); }
 
   /// A ball that comes back once a period, and spends the time `contact` in the racket, leaves with
   /// the speed v = g (T - contact) / 2.
@@ -110,8 +111,8 @@ struct BlindSwing {
   /// phases of its sine, on the way up while it slows down (> 0), or while it speeds up (< 0).
   double hit_phase(double speed, double restitution, bool slowing) const {
     const double u = speed * (1 - restitution) / (1 + restitution);
-    const double phase = std::acos(std::min(1.0, u / (amplitude * angular_frequency())));
-    return slowing ? phase : -phase;
+    const double hit = std::acos(std::min(1.0, u / (amplitude * angular_frequency())));
+    return slowing ? hit : -hit;
   }
 };
 

@@ -29,9 +29,8 @@ inline int points_for_landing(double distance) {
 
 /// Target: where the ball shall come down after the next hit, from the middle of the court [m].
 inline Eigen::Vector3d target_after(int hits, std::uint64_t seed, int round) {
-  const auto number = static_cast<std::uint64_t>(round), hit = static_cast<std::uint64_t>(hits);
-  const double angle = std::numbers::pi * chance(seed, number, hit, 2);
-  const double share = (1 + chance(seed, number, hit, 3)) / 2;
+  const double angle = std::numbers::pi * chance(seed, round, hits, 2);
+  const double share = (1 + chance(seed, round, hits, 3)) / 2;
   const double away = rules::target_reach * std::sqrt(share);  // evenly over the area
   return {away * std::cos(angle), 0, away * std::sin(angle)};
 }

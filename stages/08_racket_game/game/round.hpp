@@ -71,24 +71,15 @@ struct Round {
   }
 };
 
-/// Where the blind player's racket and ball are at the start: the ball at the top of its flight.
-struct BlindStart {
+inline BlindSwing blind_swing(const Settings& settings) {
+  const double contact = settings.hit_time(), g = settings.racket.gravity;
   BlindSwing swing;
-  double phase;  // of the racket's sine
-  double top;    // of the ball's underside above the middle of the sine [m]
-};
-
-inline BlindStart blind_start(const Settings& settings) {
-  const double contact = settings.hit_time();
-  const double g = settings.racket.gravity;
-  BlindStart start;
-  const double v = start.swing.speed(g, contact);
-  const double hit =
-      start.swing.hit_phase(v, settings.restitution(), settings.strike == Settings::slowing);
-  const double touch = hit - start.swing.angular_frequency() * contact / 2;
-  start.phase = touch - (g > 0 ? start.swing.angular_frequency() * v / g : 0);
-  start.top = start.swing.height(0, touch) + (g > 0 ? v * v / (2 * g) : 0);
-  return start;
+  const double w = swing.angular_frequency(), v = swing.speed(g, contact);
+  const bool slowing = settings.strike == Settings::slowing;
+  swing.phase = swing.hit_phase(v, settings.restitution(), slowing) - w * contact / 2;  // touches
+  swing.top = swing.height(0) + (g > 0 ? v * v / (2 * g) : 0);
+  swing.phase -= g > 0 ? w * v / g : 0;  // and before that it falls
+  return swing;
 }
 
 /// When the human plays blind. (The blind player has a swing of its own.)
@@ -125,11 +116,12 @@ inline PlayerView view_of(const Settings& settings, const Round& round) {
           aim_after(round.score.hits, settings, round)};
 }
 
-/// The serve: up, and a little aside. The best score stays.
-inline Round begin_round(const Settings& settings, int number, int best) {
+/// The serve: up, and a little aside. The best scores stay; after a loss it is the next round.
+inline Round begin_round(const Settings& settings, const Round& before) {
   Round round;
-  round.number = number;
-  round.score.best = best;
+  round.number = before.number + (before.score.lost ? 1 : 0);
+  round.score.best = before.score.best;
+  round.points.best = before.points.best;
   round.ball = settings.start;
   const Eigen::Vector3d home = settings.racket.disc.centre;
   round.from.x = round.to.x = home.x();
@@ -140,10 +132,10 @@ inline Round begin_round(const Settings& settings, int number, int best) {
     round.ball.position.y() +=
         settings.on_beat()
             ? radius + rules::stroke / 2 + beat_of(settings).top(settings.racket.gravity)
-            : radius + blind_start(settings).top + settings.knock;
+            : radius + blind_swing(settings).top + settings.knock;
   } else {
     round.ball.velocity += Eigen::Vector3d(0, 1.2, 0);
-    round.ball.velocity += push(0.13, 0.25, settings.seed, static_cast<std::uint64_t>(number), 0);
+    round.ball.velocity += push(0.13, 0.25, settings.seed, round.number, 0);
   }
   return round;
 }

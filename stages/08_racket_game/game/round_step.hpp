@@ -13,9 +13,9 @@ namespace bounce {
 inline Disc move_racket(const Settings& settings, Round& round, double dt) {
   const Eigen::Vector3d home = settings.racket.disc.centre;
   if (settings.player == PlayerKind::blind) {
-    const auto [swing, phase, top] = blind_start(settings);
-    const double before = swing.height(round.clock, phase);
-    round.grip.y.position = swing.height(round.clock + dt, phase);
+    const BlindSwing swing = blind_swing(settings);
+    const double before = swing.height(round.clock);
+    round.grip.y.position = swing.height(round.clock + dt);
     round.grip.y.velocity = (round.grip.y.position - before) / dt;
     Disc disc = disc_of(settings, round);
     disc.centre = home + Eigen::Vector3d(0, before, 0);
@@ -102,8 +102,7 @@ void step(const Settings& settings, Round& round, double dt, const MoveBall& mov
   if (settings.counts_points()) count_points(settings, round, hit, at_top);
   if (round.score.lost) round.lost_clock = round.clock;
   if (hit && !is_blind(settings) && settings.mode == Settings::keep_up) {
-    round.ball.velocity += push(0, 0.12, settings.seed, static_cast<std::uint64_t>(round.number),
-                                static_cast<std::uint64_t>(round.score.hits));
+    round.ball.velocity += push(0, 0.12, settings.seed, round.number, round.score.hits);
   }
 }
 

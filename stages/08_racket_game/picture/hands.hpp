@@ -47,13 +47,11 @@ class Hands {
     aim_.z() += reach * (controls.down - controls.up + controls.move_z);
     aim_ = aim_.cwiseMax(-rules::court).cwiseMin(rules::court);
 
-    Input input;
-    input.x = home.x() + aim_.x();
-    input.z = home.z() + aim_.z();
-    input.tilt_x = controls.d - controls.a + controls.tilt_x;
-    input.tilt_z = controls.s - controls.w + controls.tilt_z;
-    input.swing = controls.swings() ? 1 : 0;
-    run.want(input);
+    run.want({.x = home.x() + aim_.x(),
+              .z = home.z() + aim_.z(),
+              .tilt_x = controls.d - controls.a + controls.tilt_x,
+              .tilt_z = controls.s - controls.w + controls.tilt_z,
+              .swing = controls.swings() ? 1.0 : 0.0});
   }
 
  private:

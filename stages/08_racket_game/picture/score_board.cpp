@@ -47,15 +47,14 @@ void draw_keys(Canvas& canvas, Rect area, const View& view) {
                         {"R", "restart"},
                         {"M, N", "sound on and off; dark and light"},
                         {"fingers", "one moves; a tap or a second one swings"}};
-  const std::vector<Key> of_window{
-      {"F12", "save a picture"},
-      {"controller", "sticks move and tilt; A or a trigger swings; Back: next mode"},
-      {"--keys FILE", "other keys: a line 'J = A' lets J do what A does"},
-      {"F1, Esc", "this page; quit"}};
   if (view.in_page) {
     keys.push_back({"F1", "this page"});
   } else {
-    keys.insert(keys.end(), of_window.begin(), of_window.end());
+    keys.insert(keys.end(),
+                {{"F12", "save a picture"},
+                 {"controller", "sticks move and tilt; A or a trigger swings; Back: next mode"},
+                 {"--keys FILE", "other keys: a line 'J = A' lets J do what A does"},
+                 {"F1, Esc", "this page; quit"}});
   }
   const Rect page{area.width / 2 - 300, 110, 600, 34 + 29 * static_cast<float>(keys.size())};
   draw_rect(canvas, page, palette::paper.faded(0.95));
@@ -154,8 +153,8 @@ void draw_blind_history(Canvas& canvas, const GameRun& run, const Playback& play
   const double now = playback.shown_time(), first = std::max(0.0, now - seconds);
   const Diagram diagram{
       {box.x, box.y + 16, box.width, box.height - 40}, {first, first + seconds}, {0, 1.7}};
-  const BlindStart start = blind_start(run.settings());
-  const double top = start.top + run.settings().racket.radius;
+  const BlindSwing swing = blind_swing(run.settings());
+  const double top = swing.top + run.settings().racket.radius;
   draw_dashed(canvas, std::array{diagram.at(first, top), diagram.at(first + seconds, top)},
               palette::exact, 1);
   std::vector<Point> ball, racket;
@@ -163,7 +162,7 @@ void draw_blind_history(Canvas& canvas, const GameRun& run, const Playback& play
   for (std::size_t i = 0; i < trace.size(); i += 8) {
     if (trace[i].t < first) continue;
     ball.push_back(diagram.at(trace[i].t, trace[i].column("y") - home));
-    racket.push_back(diagram.at(trace[i].t, start.swing.height(trace[i].t, start.phase)));
+    racket.push_back(diagram.at(trace[i].t, swing.height(trace[i].t)));
   }
   if (ball.size() > 1) canvas.line(ball, palette::motion, 2);
   if (racket.size() > 1) canvas.line(racket, palette::spring, 1.5f);

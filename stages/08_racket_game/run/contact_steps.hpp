@@ -39,23 +39,7 @@ class ContactSteps {
  public:
   explicit ContactSteps(Racket& scene, const Note& note = {}) : scene_(scene), note_(note) {}
 
-  void operator()(double t, State<Eigen::Vector3d>& state, double dt) {
-    const double end = t + dt;
-    work_ = 0;
-    double left = dt;
-    while (left > 0) {
-      double piece;
-      if (gap(t, state) < 0) {
-        piece = contact(t, state, left);
-      } else {
-        piece = time_to_touch(t, state, left);
-        state = flown(state, piece);
-      }
-      left -= piece;
-      t = left > 0 ? t + piece : end;
-      scene_.choose_side(t, state.position);
-    }
-  }
+  void operator()(double t, State<Eigen::Vector3d>& state, double dt);
 
   long long pieces = 0;  // steps of the method, in contact
   long long touches = 0;
@@ -137,6 +121,25 @@ class ContactSteps {
   const Note note_;
   long long work_ = 0;  // pieces and looks of this step
 };
+
+template <class Method, class Note>
+void ContactSteps<Method, Note>::operator()(double t, State<Eigen::Vector3d>& state, double dt) {
+  const double end = t + dt;
+  work_ = 0;
+  double left = dt;
+  while (left > 0) {
+    double piece;
+    if (gap(t, state) < 0) {
+      piece = contact(t, state, left);
+    } else {
+      piece = time_to_touch(t, state, left);
+      state = flown(state, piece);
+    }
+    left -= piece;
+    t = left > 0 ? t + piece : end;
+    scene_.choose_side(t, state.position);
+  }
+}
 
 /// How many touches a step saw, and in how many pieces of contact it was taken.
 struct RacketStep {
