@@ -75,14 +75,10 @@ void ErrorChart::start_anew(const Simulation& simulation) {
     duration_ = without_bounces;
     const std::unique_ptr<Simulation> first = start_->clone();
     const Method by_events = offers(methods::exact) ? methods::exact : methods::reference;
-    if (offers(by_events)) {
-      first->use_method(by_events);
-      first->restart();
-      const double touch = first->next_event();
-      if (std::isfinite(touch)) duration_ = std::clamp(bounces * touch, 1e-9, longest_run);
-    } else {
-      first->restart();
-    }
+    if (offers(by_events)) first->use_method(by_events);
+    first->restart();
+    const double touch = first->next_event();
+    if (std::isfinite(touch)) duration_ = std::clamp(bounces * touch, 1e-9, longest_run);
     if (first->error() && first->balls() <= most_balls) return choose_steps();
   } catch (const std::exception&) {  // the exact method refuses what depends on a player's hands
   }

@@ -59,7 +59,7 @@ std::vector<double> read_raw(std::string_view bytes) {
 /// "name value" lines, the parameters as "set.NAME value".
 using Lines = std::map<std::string, std::string>;
 
-/// A number of a line's.
+/// The number in the line of that name.
 template <class Number>
 void read(const InputFile& file, const Lines& lines, const std::string& name, Number& number,
           Range valid) {
@@ -123,23 +123,22 @@ Lines take_lines(std::string_view& body) {
 /// The numbers of the state: in words, or raw behind the lines.
 std::vector<double> numbers_from(const InputFile& file, const Lines& lines,
                                  std::string_view behind) {
-  std::vector<double> numbers;
   if (lines.count("raw")) {
     long long count = 0;
     read(file, lines, "raw", count, Simulation::valid_count);
     if (static_cast<double>(behind.size()) != 8 * static_cast<double>(count) + 1)
       file.refuse("it is not complete");
-    numbers = read_raw(behind.substr(0, behind.size() - 1));
-  } else {
-    if (!lines.count("numbers")) file.refuse("it is not complete: the state is missing");
-    for (const std::string& word : split(lines.at("numbers"))) {
-      const std::optional<double> number = parse_number(word);
-      if (!number) {
-        file.refuse("its state's number " + std::to_string(numbers.size() + 1) + " is '" + word +
-                    "', and it must be " + number_in(Simulation::valid_number));
-      }
-      numbers.push_back(*number);
+    return read_raw(behind.substr(0, behind.size() - 1));
+  }
+  if (!lines.count("numbers")) file.refuse("it is not complete: the state is missing");
+  std::vector<double> numbers;
+  for (const std::string& word : split(lines.at("numbers"))) {
+    const std::optional<double> number = parse_number(word);
+    if (!number) {
+      file.refuse("its state's number " + std::to_string(numbers.size() + 1) + " is '" + word +
+                  "', and it must be " + number_in(Simulation::valid_number));
     }
+    numbers.push_back(*number);
   }
   return numbers;
 }

@@ -81,10 +81,9 @@ bool GameRun::take_steps(long long count, double /*t*/, double dt) {
 void GameRun::one_step(double dt) {
   --more_pieces_;  // this step itself
   if (replay_) {
-    for (; next_entry_ < replay_->entries.size() &&
-           replay_->entries[next_entry_].step <= round_.steps;
-         ++next_entry_) {
-      take_input(round_, replay_->entries[next_entry_].input);
+    const auto& all = replay_->entries;
+    while (next_entry_ < all.size() && all[next_entry_].step <= round_.steps) {
+      take_input(round_, all[next_entry_++].input);
     }
   } else if (settings_.player == PlayerKind::autopilot &&
              (round_.steps == 0 || round_.input_age >= rules::input_time)) {
@@ -137,11 +136,10 @@ void GameRun::replay(std::shared_ptr<const InputLog> log) {
 
 void GameRun::repeat() {
   if (!record_ || replay_) return;
-  const auto not_yet = [this](const InputLog::Entry& entry) { return entry.step >= round_.steps; };
   replay_ = std::exchange(record_, nullptr);
-  const auto& entries = replay_->entries;
-  next_entry_ = static_cast<std::size_t>(std::find_if(entries.begin(), entries.end(), not_yet) -
-                                         entries.begin());
+  const auto& all = replay_->entries;
+  next_entry_ = 0;
+  while (next_entry_ < all.size() && all[next_entry_].step < round_.steps) ++next_entry_;
 }
 
 void GameRun::note_settings() {

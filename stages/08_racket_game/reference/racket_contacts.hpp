@@ -25,11 +25,7 @@ class RacketContacts {
   RacketContacts(const Racket& scene, const Ball& ball)
       : scene_(scene), gravity_(0, -scene.gravity, 0), side_(scene.side) {
     const InRimPlane at = in_rim_plane(ball);
-    if (at.x < 0) {
-      place_ = Place::face;
-    } else {
-      place_ = scene.through && at.y < 0 ? Place::beyond : Place::rim;
-    }
+    place_ = at.x < 0 ? Place::face : scene.through && at.y < 0 ? Place::beyond : Place::rim;
     const Gap gap = gap_of(place_, at);
     const double overlap = scene_.radius - gap.d;
     const double push = scene_.stiffness * overlap - scene_.damping * gap.rate(at);

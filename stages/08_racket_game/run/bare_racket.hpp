@@ -11,7 +11,7 @@
 namespace bounce {
 
 /// `exact` and `reference` for a ball and a racket in uniform motion: both walk in the racket's
-/// frame of reference, where the racket rests. Nothing in a contact depends on who watches.
+/// frame of reference, where the racket rests.
 template <class Walks>
 struct BesideRacket : Walks {
   template <class World>
@@ -31,7 +31,7 @@ class RacketTruth {
   using Exact = EventDriven<RacketExact, Eigen::Vector3d>;
   using AtRim = RacketReference;
 
-  /// Both as it is seen from the racket of `scene`.
+  /// Both walks are seen from the racket of `scene`.
   RacketTruth(const Racket& scene, Exact exact, AtRim at_rim)
       : scene_(scene), exact_(std::move(exact)), at_rim_(std::move(at_rim)) {}
 
