@@ -100,8 +100,6 @@ class NumberReader {
              value == std::floor(value);
     })));
   }
-  /// All numbers that are left, for what tells its own size.
-  std::span<const double> rest() { return numbers_.subspan(std::exchange(next_, numbers_.size())); }
   void refuse(const char* name) {
     if (trouble_.empty()) trouble_ = name;
   }
