@@ -2,8 +2,9 @@
 #include <vector>
 
 #include "05_ball_collision/files/balls_file.hpp"
-#include "05_ball_collision/files/lammps_exchange.hpp"
+#include "05_ball_collision/files/lammps_export.hpp"
 #include "05_ball_collision/run/balls_world.hpp"
+#include "many_balls/lammps_import.hpp"
 
 namespace bounce {
 
@@ -17,7 +18,9 @@ inline std::vector<StageOption> ball_collision_options() {
     run_as<BallsRun>(*simulation).world().threads = static_cast<int>(number);
   };
   const auto import = [](Simulation& simulation, const std::string& path) {
-    import_lammps(simulation, path);
+    const std::string option = "--import-lammps";
+    continue_from(run_as<BallsRun>(simulation), many::read_lammps_dump(option, path),
+                  option + " " + path);
   };
   return {{"--balls",
            "FILE",

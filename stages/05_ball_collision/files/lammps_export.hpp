@@ -6,7 +6,6 @@
 
 #include "05_ball_collision/run/balls_world.hpp"
 #include "many_balls/lammps_export.hpp"
-#include "many_balls/lammps_import.hpp"
 #include "run/headless.hpp"
 #include "run/output_file.hpp"
 #include "run/output_folder.hpp"
@@ -29,7 +28,7 @@ inline void write_lammps_file(const OutputFolder& folder, const std::string& nam
 }
 
 /// `--export-lammps DIR`: what is left of the run, as files for LAMMPS. Nothing, when it was not
-/// asked for. `command` is this stage's, with all parameters, for the way back.
+/// asked for.
 inline std::optional<int> export_lammps(const StageName& stage, Simulation& any,
                                         const Options& options) {
   const auto asked = options.of_stage.find("--export-lammps");
@@ -72,14 +71,6 @@ inline std::optional<int> export_lammps(const StageName& stage, Simulation& any,
   std::cerr << stage.name << ": " << simulation.balls() << " balls and " << task.steps
             << " steps for LAMMPS are in " << asked->second << "; see its README\n";
   return exit_ok;
-}
-
-/// `--import-lammps FILE`: the run goes on where a LAMMPS dump stands. Laws, method and time step
-/// are those of the command line.
-inline void import_lammps(Simulation& simulation, const std::string& path) {
-  const std::string option = "--import-lammps";
-  continue_from(run_as<BallsRun>(simulation), many::read_lammps_dump(option, path),
-                option + " " + path);
 }
 
 }  // namespace bounce
