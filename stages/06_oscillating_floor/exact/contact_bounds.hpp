@@ -19,7 +19,7 @@ struct ContactNow {
   FloorMovement floor;
   State<double> ball;
   double acceleration, jerk;  // m/s^2, m/s^3
-  double max[4];              // bounds of a and its first three derivatives for `window` seconds
+  std::array<double, 4> max;  // bounds of a and its first three derivatives for `window` seconds
   double window;              // s
 };
 
@@ -31,6 +31,13 @@ inline double free_acceleration(const ShakenContact& contact, const State<double
   return std::sqrt(f * f + f_rate * f_rate / (omega0 * omega0));
 }
 
+/// Bounds of a free swing's acceleration f of that size, and of its first three derivatives: they
+/// follow from f'' = -2 beta f' - omega0^2 f.
+inline std::array<double, 4> swing_bounds(const ShakenContact& contact, double size) {
+  const double omega0 = contact.omega0, beta = contact.beta, bend = omega0 * (2 * beta + omega0);
+  return {size, omega0 * size, bend * size, (2 * beta * bend + omega0 * omega0 * omega0) * size};
+}
+
 /// Bounds of that acceleration from now on, and of the first three derivatives of that. An
 /// over-damped swing is a sum of two exponentials, x = p e^(-slow t) + q e^(-fast t), and their
 /// rates can be millions apart: once the fast one has died, nothing bends fast any more. Its share
@@ -39,9 +46,7 @@ inline double free_acceleration(const ShakenContact& contact, const State<double
 inline std::array<double, 4> free_bounds(const ShakenContact& contact, const State<double>& free,
                                          const State<double>& before, double since) {
   const double omega0 = contact.omega0, beta = contact.beta;
-  const double size = free_acceleration(contact, free), bend = omega0 * (2 * beta + omega0);
-  std::array<double, 4> bounds{size, omega0 * size, bend * size,
-                               (2 * beta * bend + omega0 * omega0 * omega0) * size};
+  std::array<double, 4> bounds = swing_bounds(contact, free_acceleration(contact, free));
   if (beta <= omega0) return bounds;
   const double root = std::sqrt((beta - omega0) * (beta + omega0));
   const double fast = beta + root, slow = omega0 * omega0 / fast;
@@ -66,9 +71,6 @@ inline ContactNow contact_at(const ShakenContact& contact, double t, const State
   now.ball = ball;
   now.acceleration = contact.acceleration(now.floor, ball);
   now.jerk = contact.jerk(now.floor, ball, now.acceleration);
-  // a'' = shaking - 2 beta a' - omega0^2 a gives the bounds of the higher derivatives.
-  const double fast = omega0 * (2 * beta + omega0);
-  const double faster = 2 * beta * fast + omega0 * omega0 * omega0;
   const double shaking = w * w * contact.shaking_size;
   const double a = now.acceleration, b = now.jerk / omega0;
   const double grown = std::sqrt(a * a + b * b) + shaking * window / omega0;
@@ -78,16 +80,13 @@ inline ContactNow contact_at(const ShakenContact& contact, double t, const State
       free_bounds(contact, contact.free_part(ball, t, turned), free_before, since);
   if (beta > omega0 || steady + free[0] < grown) {
     now.window = never;
-    now.max[0] = steady + free[0];
-    now.max[1] = w * steady + free[1];
-    now.max[2] = w * w * steady + free[2];
-    now.max[3] = w * w * w * steady + free[3];
-  } else {
+    double rate = 1;  // each derivative of a swing is w times as large as that before
+    for (std::size_t i = 0; i < 4; ++i, rate *= w) now.max[i] = rate * steady + free[i];
+  } else {  // a'' = shaking - 2 beta a' - omega0^2 a
     now.window = window;
-    now.max[0] = grown;
-    now.max[1] = omega0 * grown;
-    now.max[2] = shaking + fast * grown;
-    now.max[3] = (w + 2 * beta) * shaking + faster * grown;
+    now.max = swing_bounds(contact, grown);
+    now.max[2] += shaking;
+    now.max[3] += (w + 2 * beta) * shaking;
   }
   return now;
 }

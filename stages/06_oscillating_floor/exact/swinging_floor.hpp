@@ -16,39 +16,37 @@ struct FloorMovement {
 /// search for a zero sees.
 class SwingingFloor {
  public:
-  explicit SwingingFloor(const OscillatingFloor& scene)
-      : w_(scene.angular_frequency),
-        phase_(scene.phase),
-        amplitude_(scene.amplitude),
-        velocity_(scene.floor_velocity) {}
+  explicit SwingingFloor(const OscillatingFloor& scene) : scene_(scene) {}
 
   void begin(double t) {
-    const double angle = w_ * t + phase_;
-    swing_ = amplitude_ * Complex(std::cos(angle), std::sin(angle));  // these reduce exactly
-    height_ = velocity_ * t;
+    const double angle = scene_.angular_frequency * t + scene_.phase;
+    swing_ = scene_.amplitude * Complex(std::cos(angle), std::sin(angle));  // these reduce exactly
+    height_ = scene_.floor_velocity * t;
   }
 
   /// e^(i w t)
-  Complex turn(double t) const { return {std::cos(w_ * t), std::sin(w_ * t)}; }
+  Complex turn(double t) const {
+    const double angle = scene_.angular_frequency * t;
+    return {std::cos(angle), std::sin(angle)};
+  }
 
   FloorMovement at(double t, Complex turned) const {
     const Complex swing = swing_ * turned;
     const double sine = swing.imag(), cosine = swing.real();
-    return {height_ + velocity_ * t + sine, velocity_ + w_ * cosine, -w_ * w_ * sine,
-            -w_ * w_ * w_ * cosine};
+    const double w = scene_.angular_frequency, u = scene_.floor_velocity;
+    return {height_ + u * t + sine, u + w * cosine, -w * w * sine, -w * w * w * cosine};
   }
   FloorMovement at(double t) const { return at(t, turn(t)); }
   FloorMovement at_start() const { return at(0, 1); }
 
   double steady_height() const { return height_; }  // m, at the phase's start, without the swing
   Complex swing() const { return swing_; }          // the swing is Im(swing e^(i w t)) [m]
-  double top_acceleration() const { return amplitude_ * w_ * w_; }  // m/s^2
+  double top_acceleration() const {                 // m/s^2
+    return scene_.amplitude * scene_.angular_frequency * scene_.angular_frequency;
+  }
 
  private:
-  double w_;          // rad/s
-  double phase_;      // rad
-  double amplitude_;  // m
-  double velocity_;   // m/s
+  OscillatingFloor scene_;
   double height_ = 0;
   Complex swing_;
 };
