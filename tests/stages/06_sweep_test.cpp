@@ -68,7 +68,7 @@ TEST_CASE("stage 6: a quick bounce is the exact one, or it says that it is not s
     if (!next.is_sure) continue;
     ++sure;
 
-    ExactBounces exact(scene, touch);
+    ExactBounces exact(scene, touch, {0, 0, touch.velocity, {}, false});
     const std::optional<Bounce> bounce = exact.next();
     REQUIRE(bounce.has_value());
     const Touch<double> expected = exact.touch_after();

@@ -26,26 +26,24 @@ class TouchSection {
     follow(playback);
     double fastest = 1;
     for (const Bounce& bounce : exact_) fastest = std::max(fastest, bounce.speed);
-    for (const Dot& dot : dots_) fastest = std::max(fastest, dot.speed);
+    for (const Touch<double>& touch : touches_) fastest = std::max(fastest, -touch.velocity);
     const Diagram diagram{plot_box(area, 24), {0, 2 * std::numbers::pi}, {0, std::ceil(fastest)}};
     diagram.draw(canvas, "speed of each touch, m/s, by the floor's angle", 5, 4, " rad");
     for (const Bounce& bounce : exact_) {
       const Point at = diagram.at(bounce.phase, bounce.speed);
       draw_rect(canvas, {at.x - 1, at.y - 1, 2, 2}, palette::exact.faded(0.4));
     }
-    for (const Dot& dot : dots_) {
-      const Point at = diagram.at(dot.angle, dot.speed);
+    for (const Touch<double>& touch : touches_) {
+      const Point at = diagram.at(touch.angle, -touch.velocity);
       draw_rect(canvas, {at.x - 1.5f, at.y - 1.5f, 3, 3}, palette::motion.faded(0.75));
     }
-    if (!dots_.empty()) {
-      canvas.disc(diagram.at(dots_.back().angle, dots_.back().speed), 5, palette::motion);
+    if (!touches_.empty()) {
+      const Touch<double>& last = touches_.back();
+      canvas.disc(diagram.at(last.angle, -last.velocity), 5, palette::motion);
     }
   }
 
  private:
-  struct Dot {
-    double angle, speed;  // rad, m/s
-  };
   /// The trace has the ball every few milliseconds. From a moment in the air the exact solution
   /// tells whether, and when, it touches before the next.
   void follow(const Playback& playback) {
@@ -54,7 +52,7 @@ class TouchSection {
     const std::deque<TracePoint>& trace = playback.trace();
     const bool is_other = scene.amplitude != amplitude_ || scene.angular_frequency != w_;
     if (is_other || trace.back().t < until_) {
-      dots_.clear();
+      touches_.clear();
       try {
         exact_ = settled_bounces(from_now(scene, trace.back()), 300, 1000);
       } catch (const TimeStandsStill&) {
@@ -74,10 +72,8 @@ class TouchSection {
       if (phases.phase_at(ball) != Phase::flight) continue;
       const PhaseEnd end = phases.end_of(Phase::flight, ball);
       if (!(end.after <= length) || end.next == Phase::flight) continue;
-      const double angle = scene.angular_frequency * (t + end.after) + scene.phase;
-      const double fall = fly(ball, scene.gravity, end.after).velocity;
-      dots_.push_back({within_one_turn(angle), scene.floor_speed(t + end.after) - fall});
-      if (dots_.size() > most) dots_.pop_front();
+      touches_.push_back(touch_at(scene, t + end.after, fly(ball, scene.gravity, end.after)));
+      if (touches_.size() > most) touches_.pop_front();
     }
     until_ = trace.back().t;
   }
@@ -91,7 +87,7 @@ class TouchSection {
 
   static constexpr std::size_t most = 2000;
   std::vector<Bounce> exact_;
-  std::deque<Dot> dots_;
+  std::deque<Touch<double>> touches_;
   double until_ = 0;  // s: touches before that are known
   double amplitude_ = 0, w_ = 0;
 };

@@ -21,23 +21,26 @@ struct Bounce {
   double height;  // m
 };
 
+/// The touch of a ball that comes down at `t` [s].
+inline Touch<double> touch_at(const OscillatingFloor& scene, double t, const State<double>& ball) {
+  return {within_one_turn(scene.angular_frequency * t + scene.phase),
+          ball.velocity - scene.floor_speed(t)};
+}
+
 /// The bounces of a ball, by the exact solution.
 class ExactBounces {
  public:
   explicit ExactBounces(const OscillatingFloor& scene)
       : scene_(scene), walker_(OscillatingFloorExact(scene), 0, scene.start) {}
 
-  /// From a touch of a floor that swings and does no more; or from the end of its contact.
-  ExactBounces(const OscillatingFloor& scene, const Touch<double>& touch)
-      : ExactBounces(scene, touch, {0, 0, touch.velocity, {}, true}) {
-    is_flying_ = false;
-  }
+  /// From the end of a touch of a floor that swings and does no more; where the end is not sure,
+  /// from the touch itself.
   ExactBounces(const OscillatingFloor& scene, const Touch<double>& touch,
                const LiftOff<double>& end)
       : scene_(scene),
         walker_(OscillatingFloorExact(scene), time_of(touch) + end.t, state_at(touch, end)),
         impact_(touch),
-        is_flying_(walker_.phase() == Phase::flight) {}
+        is_flying_(end.is_sure && walker_.phase() == Phase::flight) {}
 
   /// The next one; nothing when the ball comes to stay on the floor, or flies away. (It may stay
   /// and be let go and touched again in every swing: so many such events without a lift-off are
@@ -49,7 +52,7 @@ class ExactBounces {
         walker_.pass_event();
         const Phase now = walker_.phase();
         if (before == Phase::flight && now != Phase::flight) {
-          impact_ = touch_of(walker_.last_event(), walker_.state_at_last_event());
+          impact_ = touch_at(scene_, walker_.last_event(), walker_.state_at_last_event());
         }
         if (before == Phase::flight || now != Phase::flight || !impact_) continue;
         if (walker_.next_event() == never) break;
@@ -70,14 +73,10 @@ class ExactBounces {
     const double t = walker_.next_event();
     const State<double> ball =
         fly(walker_.state_at_last_event(), scene_.gravity, t - walker_.last_event());
-    return touch_of(t, ball);
+    return touch_at(scene_, t, ball);
   }
 
  private:
-  Touch<double> touch_of(double t, const State<double>& ball) const {
-    return {within_one_turn(scene_.angular_frequency * t + scene_.phase),
-            ball.velocity - scene_.floor_speed(t)};
-  }
   double time_of(const Touch<double>& touch) const {
     return (touch.angle - scene_.phase) / scene_.angular_frequency;
   }
@@ -146,13 +145,11 @@ void settle_quickly(std::span<SettlingBall> balls, int bounces) {
       if (!ball.has_stopped && lane(next.is_sure, i)) {
         ball.note({within_one_turn(from.angle), -from.velocity, lane(next.highest, i)});
       } else if (!ball.has_stopped) {
-        const LiftOff<double> end{lane(next.from.t, i),
-                                  lane(next.from.x, i),
-                                  lane(next.from.velocity, i),
-                                  {},
-                                  lane(next.from.is_sure, i)};
-        ball.exact =
-            end.is_sure ? ExactBounces(ball.scene, from, end) : ExactBounces(ball.scene, from);
+        LiftOff<double> end{0, 0, from.velocity, {}, false};
+        if (lane(next.from.is_sure, i)) {
+          end = {lane(next.from.t, i), lane(next.from.x, i), lane(next.from.velocity, i), {}, true};
+        }
+        ball.exact = ExactBounces(ball.scene, from, end);
         go_exactly(i);
       }
       if (!ball.has_stopped) continue;
@@ -167,28 +164,23 @@ void settle_quickly(std::span<SettlingBall> balls, int bounces) {
 inline std::vector<std::vector<Bounce>> settled_bounces(std::span<const OscillatingFloor> scenes,
                                                         int discarded, int kept) {
   std::vector<std::vector<Bounce>> all;
-  const int bounces = discarded + kept;
-  std::vector<SettlingBall> balls;
-  const auto take = [&](std::size_t first, std::size_t count) {
-    balls.clear();
-    for (std::size_t i = first; i < first + count; ++i) balls.emplace_back(scenes[i], discarded);
-  };
-  for (std::size_t i = 0; i < scenes.size(); i += balls.size()) {
+  while (all.size() < scenes.size()) {
+    const auto left = scenes.subspan(all.size());
     std::size_t quick = 0;  // that may go side by side
-    while (quick < lanes && i + quick < scenes.size() && has_quick_contact(scenes[i + quick]) &&
-           scenes[i + quick].contact == scenes[i].contact) {
+    while (quick < std::min(lanes, left.size()) && has_quick_contact(left[quick]) &&
+           left[quick].contact == left[0].contact) {
       ++quick;
     }
+    std::vector<SettlingBall> balls;
+    for (const OscillatingFloor& scene : left.first(quick == lanes ? lanes : 1)) {
+      balls.emplace_back(scene, discarded);
+    }
     if (quick == lanes) {
-      take(i, lanes);
-      settle_quickly<Lanes>(balls, bounces);
+      settle_quickly<Lanes>(balls, discarded + kept);
+    } else if (quick > 0) {
+      settle_quickly<double>(balls, discarded + kept);
     } else {
-      take(i, 1);
-      if (quick > 0) {
-        settle_quickly<double>(balls, bounces);
-      } else {
-        for (int n = 0; n < bounces && !balls[0].has_stopped; ++n) balls[0].bounce_exactly();
-      }
+      for (int n = 0; n < discarded + kept && !balls[0].has_stopped; ++n) balls[0].bounce_exactly();
     }
     for (SettlingBall& ball : balls) all.push_back(std::move(ball.bounces));
   }
