@@ -7,7 +7,7 @@
 #include <cmath>
 #include <memory>
 
-#include "05_ball_collision/picture/balls_camera.hpp"
+#include "05_ball_collision/picture/balls_marks.hpp"
 #include "05_ball_collision/picture/balls_picture.hpp"
 #include "app/layout.hpp"
 #include "app/recording_canvas.hpp"

@@ -1,9 +1,24 @@
 #pragma once
 #include <vector>
 
-#include "05_ball_collision/picture/balls_camera.hpp"
+#include "05_ball_collision/run/balls_world.hpp"
+#include "app/camera.hpp"
+#include "app/demo.hpp"
 
 namespace bounce {
+
+inline const BallsRun& balls_of(const Playback& playback) {
+  return run_as<BallsRun>(playback.simulation());
+}
+
+/// The balls in the rows of one time: a column for each.
+using Balls = State<Eigen::Matrix3Xd>;
+inline Balls balls_in(const std::vector<double>& rows) {
+  const auto count = static_cast<Eigen::Index>(rows.size() / 7);  // ball,x,y,z,vx,vy,vz
+  Balls balls{Eigen::Matrix3Xd(3, count), Eigen::Matrix3Xd(3, count)};
+  read_rows(rows, balls);
+  return balls;
+}
 
 // What is drawn around a few balls: where they were and will be, and what acts on them.
 

@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <vector>
 
-#include "05_ball_collision/picture/balls_camera.hpp"
 #include "05_ball_collision/picture/balls_marks.hpp"
 #include "05_ball_collision/picture/cover.hpp"
 #include "app/drawing.hpp"
@@ -22,6 +22,40 @@ using Eigen::Vector3d;
 
 constexpr int few = 40;       // up to so many balls have shadows and can be dragged,
 constexpr int very_few = 16;  // and so many have trails, arrows and numbers
+
+/// What the camera looks at, and how much of it fits into the picture [m].
+struct Framing {
+  Vector3d centre;
+  double size;
+  double steepness = 0.30;  // how far from above
+};
+
+Framing framing_of(const BallsRun& balls) {
+  if (balls.world().own_balls) {
+    const Arrangement& start = *balls.world().own_balls;
+    const Vector3d low = start.balls.position.rowwise().minCoeff();
+    const Vector3d high = start.balls.position.rowwise().maxCoeff();
+    return {(low + high) / 2, 2 * (high - low).norm() + 6 * start.radius.maxCoeff()};
+  }
+  const double width = std::max(balls.scene().tray[0], balls.scene().tray[1]);
+  switch (balls.world().choice.scene) {
+    case BallScene::pair:
+      return {{0, 0.1, 0}, 1.6};
+    case BallScene::break_up:
+      return {{0.4, 0, 0}, 3.0, 1.1};
+    case BallScene::cradle:
+      return {{0, 0.1, 0}, 1.5};
+    case BallScene::tower:
+      return {{0, 3.3, 0}, 7.6, 0.12};
+    case BallScene::drop:
+      break;
+  }
+  if (width == 0) {
+    const double count = static_cast<double>(balls.balls());
+    return {{0.1 * std::sqrt(count) / 2, 0.3, 0.1 * std::sqrt(count) / 2}, 0.3 * std::sqrt(count)};
+  }
+  return {{balls.scene().tray[0] / 2, 0.35 * width, balls.scene().tray[1] / 2}, 1.65 * width, 0.45};
+}
 
 /// Grey at rest, blue when fast. "Fast" is the speed at which all balls together would have the
 /// energy of the start.
@@ -139,6 +173,12 @@ void move_ball(Playback& playback, const View& view, Eigen::Index ball, Point to
 }
 
 }  // namespace
+
+Camera camera_for(const Playback& playback, const View& view) {
+  const Framing framing = framing_of(balls_of(playback));
+  const double distance = framing.size / 2 / std::tan(usual_opening * std::numbers::pi / 360);
+  return camera_before(framing.centre, distance, framing.steepness, layout::scene, view.from_above);
+}
 
 void use_balls_picture(Demo& demo) {
   demo.in_space = true;
