@@ -6,10 +6,6 @@ namespace bounce {
 
 template class RunOf<BallsWorld>;
 
-many::Laws BallsWorld::laws() const {
-  return {scene.gravity, scene.pair_contact(), scene.floor_contact(), scene.floor, scene.tray};
-}
-
 Traits BallsWorld::traits(const Simulation& simulation) const {
   Traits all{"ball,x,y,z,vx,vy,vz", hardest_contact(), count()};
   all.truth = "reference, 1e-13";
