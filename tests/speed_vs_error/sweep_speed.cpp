@@ -29,9 +29,9 @@ std::vector<OscillatingFloor> sweep(ContactLaw contact) {
 double exactly(const std::vector<OscillatingFloor>& scenes) {
   double sum = 0;
   for (const OscillatingFloor& scene : scenes) {
-    SettlingBall ball(scene, discarded);
+    SettlingBall ball{scene};
     for (int n = 0; n < discarded + kept; ++n) ball.bounce_exactly();
-    for (const Bounce& bounce : ball.bounces) sum += bounce.height;
+    for (int n = discarded; n < std::ssize(ball.bounces); ++n) sum += ball.bounces[n].height;
   }
   return sum;
 }

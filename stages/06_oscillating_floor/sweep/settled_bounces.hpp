@@ -1,8 +1,8 @@
 #pragma once
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "06_oscillating_floor/exact/exact.hpp"
@@ -93,39 +93,29 @@ class ExactBounces {
 
 /// One ball of a sweep, on its way to where it settles.
 struct SettlingBall {
-  SettlingBall(const OscillatingFloor& the_scene, int discarded_)
-      : scene(the_scene), exact(scene), discarded(discarded_) {}
-
-  void note(const Bounce& bounce) {
-    if (seen++ >= discarded) bounces.push_back(bounce);
-  }
   /// The next bounce by the exact solution. Returns the touch after it.
   Touch<double> bounce_exactly() {
     const std::optional<Bounce> bounce = exact.next();
     has_stopped = !bounce;
     if (!bounce) return {0, -1};  // of no use any more
-    note(*bounce);
+    bounces.push_back(*bounce);
     return exact.touch_after();
   }
 
   OscillatingFloor scene;
-  ExactBounces exact;
-  int discarded, seen = 0;
+  ExactBounces exact{scene};
   bool has_stopped = false;
-  std::vector<Bounce> bounces;
+  std::vector<Bounce> bounces = {};
 };
 
 /// As many balls as V has numbers take so many bounces: quick ones where they are sure, and exact
 /// ones where they are not.
 template <class V>
 void settle_quickly(std::span<SettlingBall> balls, int bounces) {
-  const auto each = [&](const auto& number_of) {
-    V numbers{};
-    for (std::size_t i = 0; i < balls.size(); ++i) set_lane(numbers, i, number_of(balls[i]));
-    return numbers;
-  };
   const QuickContact<V> contact = quick_contact<V>(balls[0].scene.contact, [&](auto member) {
-    return each([member](const SettlingBall& ball) { return ball.scene.*member; });
+    V numbers{};
+    for (std::size_t i = 0; i < balls.size(); ++i) set_lane(numbers, i, balls[i].scene.*member);
+    return numbers;
   });
   Touch<V> touch;
   const auto go_exactly = [&](std::size_t i) {
@@ -142,9 +132,13 @@ void settle_quickly(std::span<SettlingBall> balls, int bounces) {
     for (std::size_t i = 0; i < balls.size(); ++i) {
       SettlingBall& ball = balls[i];
       const Touch<double> from{lane(before.angle, i), lane(before.velocity, i)};
-      if (!ball.has_stopped && lane(next.is_sure, i)) {
-        ball.note({within_one_turn(from.angle), -from.velocity, lane(next.highest, i)});
-      } else if (!ball.has_stopped) {
+      if (ball.has_stopped) {  // it goes along, where it is
+        set_lane(touch.angle, i, from.angle);
+        set_lane(touch.velocity, i, from.velocity);
+      } else if (lane(next.is_sure, i)) {
+        const double height = lane(next.highest, i);
+        ball.bounces.push_back({within_one_turn(from.angle), -from.velocity, height});
+      } else {
         LiftOff<double> end{0, 0, from.velocity, {}, false};
         if (lane(next.from.is_sure, i)) {
           end = {lane(next.from.t, i), lane(next.from.x, i), lane(next.from.velocity, i), {}, true};
@@ -152,9 +146,6 @@ void settle_quickly(std::span<SettlingBall> balls, int bounces) {
         ball.exact = ExactBounces(ball.scene, from, end);
         go_exactly(i);
       }
-      if (!ball.has_stopped) continue;
-      set_lane(touch.angle, i, from.angle);  // it goes along, where it is
-      set_lane(touch.velocity, i, from.velocity);
     }
   }
 }
@@ -173,7 +164,7 @@ inline std::vector<std::vector<Bounce>> settled_bounces(std::span<const Oscillat
     }
     std::vector<SettlingBall> balls;
     for (const OscillatingFloor& scene : left.first(quick == lanes ? lanes : 1)) {
-      balls.emplace_back(scene, discarded);
+      balls.push_back({scene});
     }
     if (quick == lanes) {
       settle_quickly<Lanes>(balls, discarded + kept);
@@ -182,7 +173,10 @@ inline std::vector<std::vector<Bounce>> settled_bounces(std::span<const Oscillat
     } else {
       for (int n = 0; n < discarded + kept && !balls[0].has_stopped; ++n) balls[0].bounce_exactly();
     }
-    for (SettlingBall& ball : balls) all.push_back(std::move(ball.bounces));
+    for (const SettlingBall& ball : balls) {
+      const auto unseen = std::min(std::ssize(ball.bounces), std::ptrdiff_t{discarded});
+      all.emplace_back(ball.bounces.begin() + unseen, ball.bounces.end());
+    }
   }
   return all;
 }
