@@ -1,7 +1,7 @@
 #include "06_oscillating_floor/exact/exact.hpp"
 #include "06_oscillating_floor/oscillating_floor.hpp"
 #include "06_oscillating_floor/picture/survey.hpp"
-#include "06_oscillating_floor/slider/set_without_jump.hpp"
+#include "06_oscillating_floor/slider/steady_hand.hpp"
 #include "06_oscillating_floor/sweep/run_sweep.hpp"
 #include "app/side_view.hpp"
 

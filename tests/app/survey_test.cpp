@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "06_oscillating_floor/picture/survey.hpp"
-#include "06_oscillating_floor/slider/set_without_jump.hpp"
+#include "06_oscillating_floor/slider/steady_hand.hpp"
 #include "app/layout.hpp"
 #include "app/side_view.hpp"
 #include "app/survey.hpp"

@@ -1,10 +1,18 @@
 #pragma once
 #include <cmath>
+#include <numbers>
 
 #include "06_oscillating_floor/exact/forced_oscillator.hpp"
 #include "06_oscillating_floor/oscillating_floor.hpp"
 
 namespace bounce {
+
+/// An angle in [0, 2 pi).
+inline double within_one_turn(double angle) {
+  constexpr double turn = 2 * std::numbers::pi;
+  const double rest = std::fmod(angle, turn);
+  return rest < 0 ? rest + turn : rest;
+}
 
 /// The floor's height [m] and its first three derivatives.
 struct FloorMovement {

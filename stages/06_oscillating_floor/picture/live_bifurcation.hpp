@@ -8,13 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "06_oscillating_floor/exact/exact.hpp"
+#include "06_oscillating_floor/slider/steady_hand.hpp"
 #include "06_oscillating_floor/sweep/settled_bounces.hpp"
 #include "app/demo.hpp"
 #include "app/diagram.hpp"
 #include "app/drawing.hpp"
 #include "app/palette.hpp"
-#include "run/one_ball_run.hpp"
 
 namespace bounce {
 
@@ -35,7 +34,7 @@ class LiveBifurcation {
     if (settings != settings_) {
       settings_ = settings;
       scene_ = scene;
-      heights_.assign(columns, {});
+      bounces_.assign(columns, {});
       done_ = 0;
       drawn_ = -1;
       highest_ = 0;
@@ -59,7 +58,7 @@ class LiveBifurcation {
     make_dots(diagram);
     for (const Rect& dot : dots_) draw_rect(canvas, dot, palette::motion.faded(0.75));
 
-    const double now = run_as<Its>(simulation).scene().amplitude;
+    const double now = run_as<OscillatingFloorRun>(simulation).scene().amplitude;
     if (now > slider().highest) return;
     const Point top = diagram.at(now, diagram.up.highest);
     draw_line(canvas, top, {top.x, diagram.box.bottom()}, palette::ink, 1.5f);
@@ -79,9 +78,8 @@ class LiveBifurcation {
   }
 
  private:
-  using Its = OneBallRun<OscillatingFloor, OscillatingFloorExact>;
   static OscillatingFloor scene_of(const Simulation& simulation) {
-    OscillatingFloor scene = run_as<Its>(simulation).scene();
+    OscillatingFloor scene = run_as<OscillatingFloorRun>(simulation).scene();
     scene.phase = 0;
     return scene;
   }
@@ -118,11 +116,8 @@ class LiveBifurcation {
     try {
       int n = first;
       for (const std::vector<Bounce>& bounces : settled_bounces(scenes, discarded, kept)) {
-        std::vector<float>& heights = heights_[static_cast<std::size_t>(column_of(n++))];
-        for (const Bounce& bounce : bounces) {
-          heights.push_back(static_cast<float>(bounce.height));
-          highest_ = std::max(highest_, bounce.height);
-        }
+        for (const Bounce& bounce : bounces) highest_ = std::max(highest_, bounce.height);
+        bounces_[static_cast<std::size_t>(column_of(n++))] = bounces;
       }
     } catch (const TimeStandsStill&) {
       // Contacts that cannot be followed (absolute, fixed-switch): these columns stay empty.
@@ -139,7 +134,7 @@ class LiveBifurcation {
     std::vector<float> places;
     for (int column = 0; column < columns; ++column) {
       places.clear();
-      for (const float height : heights_[static_cast<std::size_t>(column)]) {
+      for (const auto& [phase, speed, height] : bounces_[static_cast<std::size_t>(column)]) {
         if (height >= 0 && height <= diagram.up.highest)
           places.push_back(std::floor(diagram.at(0, height).y));
       }
@@ -156,7 +151,7 @@ class LiveBifurcation {
 
   OscillatingFloor scene_;
   std::vector<std::string> settings_;  // of all that it depends on
-  std::vector<std::vector<float>> heights_;
+  std::vector<std::vector<Bounce>> bounces_;
   int done_ = 0;  // columns
   double highest_ = 0;
   // As they were drawn last

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 
 #include "06_oscillating_floor/picture/live_bifurcation.hpp"
@@ -10,17 +11,9 @@ namespace bounce {
 inline Survey amplitude_survey() {
   const auto picture = std::make_shared<LiveBifurcation>();
   const auto section = std::make_shared<TouchSection>();
-  return {"amplitude",
-          [picture](const Simulation& simulation, double seconds) {
-            return picture->work(simulation, seconds);
-          },
-          [picture](Canvas& canvas, Rect area, const Simulation& simulation) {
-            picture->draw(canvas, area, simulation);
-          },
-          LiveBifurcation::amplitude_at,
-          [section](Canvas& canvas, Rect area, const Playback& playback) {
-            section->draw(canvas, area, playback);
-          }};
+  return {"amplitude", std::bind_front(&LiveBifurcation::work, picture),
+          std::bind_front(&LiveBifurcation::draw, picture), LiveBifurcation::amplitude_at,
+          std::bind_front(&TouchSection::draw, section)};
 }
 
 }  // namespace bounce

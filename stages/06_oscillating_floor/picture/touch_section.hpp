@@ -5,13 +5,12 @@
 #include <numbers>
 #include <vector>
 
-#include "06_oscillating_floor/exact/exact.hpp"
+#include "06_oscillating_floor/slider/steady_hand.hpp"
 #include "06_oscillating_floor/sweep/settled_bounces.hpp"
 #include "app/diagram.hpp"
 #include "app/drawing.hpp"
 #include "app/palette.hpp"
 #include "app/playback.hpp"
-#include "run/one_ball_run.hpp"
 #include "run/rows.hpp"
 
 namespace bounce {
@@ -47,8 +46,7 @@ class TouchSection {
   /// The trace has the ball every few milliseconds. From a moment in the air the exact solution
   /// tells whether, and when, it touches before the next.
   void follow(const Playback& playback) {
-    using Its = OneBallRun<OscillatingFloor, OscillatingFloorExact>;
-    const OscillatingFloor scene = run_as<Its>(playback.simulation()).scene();
+    const OscillatingFloor scene = run_as<OscillatingFloorRun>(playback.simulation()).scene();
     const std::deque<TracePoint>& trace = playback.trace();
     const bool is_other = scene.amplitude != amplitude_ || scene.angular_frequency != w_;
     if (is_other || trace.back().t < until_) {

@@ -2,17 +2,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
-#include "06_oscillating_floor/oscillating_floor.hpp"
+#include "06_oscillating_floor/exact/exact.hpp"
+#include "run/one_ball_run.hpp"
 
 namespace bounce {
 
-/// An angle in [0, 2 pi).
-inline double within_one_turn(double angle) {
-  constexpr double turn = 2 * std::numbers::pi;
-  const double rest = std::fmod(angle, turn);
-  return rest < 0 ? rest + turn : rest;
-}
+using OscillatingFloorRun = OneBallRun<OscillatingFloor, OscillatingFloorExact>;
 
 /// The phase with which `after`, a floor whose amplitude or frequency was changed at the moment
 /// `t`, goes on where `before` was. Without it the floor would jump: in A sin(w t + phase), a new w
@@ -29,6 +26,17 @@ inline double phase_without_jump(const OscillatingFloor& before, const Oscillati
     if (std::cos(angle) < 0) wanted = std::numbers::pi - wanted;  // it was falling
   }
   return within_one_turn(wanted - after.angular_frequency * t);
+}
+
+/// A slider moves. Amplitude and frequency take the phase along, so that the floor does not jump.
+inline void set_without_jump(Simulation& simulation, const Parameter& parameter,
+                             const std::string& text) {
+  auto& run = run_as<OscillatingFloorRun>(simulation);
+  const OscillatingFloor before = run.scene();
+  parameter.set(text);
+  if (parameter.name != "amplitude" && parameter.name != "angular_frequency") return;
+  const double phase = phase_without_jump(before, run.scene(), run.time());
+  find_parameter(run.parameters(), "phase").set(to_text(phase));
 }
 
 }  // namespace bounce

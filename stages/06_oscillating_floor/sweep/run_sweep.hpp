@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "06_oscillating_floor/slider/steady_hand.hpp"
 #include "06_oscillating_floor/sweep/settled_bounces.hpp"
 #include "app/demo.hpp"
 #include "app/diagram.hpp"
@@ -17,7 +18,6 @@
 #include "app/layout.hpp"
 #include "app/palette.hpp"
 #include "run/interrupt.hpp"
-#include "run/one_ball_run.hpp"
 #include "run/output_file.hpp"
 
 namespace bounce {
@@ -109,8 +109,7 @@ inline std::optional<int> run_sweep(const Simulation& simulation, const Options&
                                     const Demo& demo) {
   const auto asked = options.of_stage.find("--sweep");
   if (asked == options.of_stage.end()) return std::nullopt;
-  using Its = OneBallRun<OscillatingFloor, OscillatingFloorExact>;
-  OscillatingFloor scene = run_as<Its>(simulation).scene();
+  OscillatingFloor scene = run_as<OscillatingFloorRun>(simulation).scene();
   Sweep sweep = read_sweep(asked->second, scene);
   if (options.csv.empty() && options.screenshot.empty()) {
     throw BadInput("--sweep needs a place for its result: give --csv FILE (or -), or --screenshot");

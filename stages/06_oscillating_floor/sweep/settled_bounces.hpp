@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "06_oscillating_floor/exact/exact.hpp"
-#include "06_oscillating_floor/slider/steady_hand.hpp"
 #include "06_oscillating_floor/sweep/lanes.hpp"
 #include "06_oscillating_floor/sweep/quick_bounce.hpp"
 #include "physics/events/event_driven.hpp"
