@@ -27,17 +27,14 @@ class LiveBifurcation {
   /// phase, which a slider takes along). Returns whether it has come to the end.
   bool work(const Simulation& simulation, double seconds) {
     const auto begin = std::chrono::steady_clock::now();
-    OscillatingFloor scene = scene_of(simulation);
-    scene.amplitude = 0;
+    OscillatingFloor scene = run_as<OscillatingFloorRun>(simulation).scene();
+    scene.amplitude = scene.phase = 0;
     std::vector<std::string> settings;
     for (const Parameter& parameter : scene.parameters()) settings.push_back(parameter.text());
     if (settings != settings_) {
+      *this = LiveBifurcation{};
       settings_ = settings;
       scene_ = scene;
-      bounces_.assign(columns, {});
-      done_ = 0;
-      drawn_ = -1;
-      highest_ = 0;
     }
     while (done_ < columns) {
       compute();
@@ -78,11 +75,6 @@ class LiveBifurcation {
   }
 
  private:
-  static OscillatingFloor scene_of(const Simulation& simulation) {
-    OscillatingFloor scene = run_as<OscillatingFloorRun>(simulation).scene();
-    scene.phase = 0;
-    return scene;
-  }
   static Range slider() {
     OscillatingFloor scene;
     return find_parameter(scene.parameters(), "amplitude").slider;
@@ -151,7 +143,7 @@ class LiveBifurcation {
 
   OscillatingFloor scene_;
   std::vector<std::string> settings_;  // of all that it depends on
-  std::vector<std::vector<Bounce>> bounces_;
+  std::vector<std::vector<Bounce>> bounces_ = std::vector<std::vector<Bounce>>(columns);
   int done_ = 0;  // columns
   double highest_ = 0;
   // As they were drawn last
