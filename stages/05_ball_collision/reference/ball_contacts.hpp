@@ -43,7 +43,6 @@ class BallContacts {
       two.phase = pulls ? Phase::let_go : Phase::touch;
       held_.push_back(two);
     });
-    std::sort(held_.begin(), held_.end());
   }
 
   bool in_flight() const { return held_.empty(); }

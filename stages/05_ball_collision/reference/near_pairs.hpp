@@ -39,10 +39,7 @@ class NearPairs {
   bool is_wide_enough(const Eigen::Matrix3Xd& position, double range) const {
     if (position.cols() != listed_at_.cols()) return false;
     const double may_move = (range_ - range) / 2;
-    for (Eigen::Index i = 0; i < position.cols(); ++i) {
-      if (!((position.col(i) - listed_at_.col(i)).norm() <= may_move)) return false;
-    }
-    return true;
+    return ((position - listed_at_).colwise().norm().array() <= may_move).all();
   }
 
   void list(const BallCollision& scene, const Eigen::Matrix3Xd& position, double range) {
