@@ -40,7 +40,7 @@ class BallsWorld {
   int threads = 1;  // for many balls. The result is the same, to the bit.
   /// From so many balls on, the steps of semi-implicit Euler and velocity Verlet are taken by
   /// many::ManyBalls, which is faster (see docs/deeper) and gives the same bits.
-  Eigen::Index many_from = 32;
+  static constexpr Eigen::Index many_from = 32;
   std::uint64_t seed = 1;  // of the last start
 
   /// A scene brings the parameters that suit it; whoever wants others sets them after it. Its balls
