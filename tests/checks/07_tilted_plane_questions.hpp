@@ -144,7 +144,8 @@ inline std::vector<Moment> moments(unsigned seed, double least, double most, boo
     Setting s = any_setting(dice);
     s.damping = dice.between(1, 300);
     s.push_only = push_only_too && i % 2 == 1;
-    s.normal = times(dice.between(0.3, 4), dice.direction());
+    const Triple direction = dice.direction();
+    s.normal = times(dice.between(0.3, 4), direction);
     s.offset = dice.sign() * dice.between(0.2, 3);
     Moment m{s, dice.between(0, 3), {dice.triple(2), dice.triple(9)}};
     const Equation plane = unit(m);

@@ -9,6 +9,7 @@
 
 #include "checks/diagnosis.hpp"
 #include "checks/subject.hpp"
+#include "random_numbers.hpp"
 
 namespace bounce::check {
 
@@ -19,9 +20,7 @@ const Subject& subject();
 class Dice {
  public:
   explicit Dice(unsigned seed) : engine_(seed) {}
-  double between(double low, double high) {
-    return low + (high - low) * std::uniform_real_distribution<double>(0, 1)(engine_);
-  }
+  double between(double low, double high) { return test::uniform(engine_, low, high); }
   double sign() { return between(-1, 1) < 0 ? -1 : 1; }
   Triple triple(double size) {
     return {between(-size, size), between(-size, size), between(-size, size)};

@@ -62,6 +62,12 @@ static std::string stage_command(std::string line) {
   return "00_there_is_no_such_stage";
 }
 
+#ifdef BOUNCE_NO_PICTURES
+constexpr bool has_pictures = false;
+#else
+constexpr bool has_pictures = true;
+#endif
+
 TEST_CASE("every command in the lessons runs") {
   const fs::path root = BOUNCE_SOURCE_DIR;
   int commands = 0;
@@ -73,6 +79,10 @@ TEST_CASE("every command in the lessons runs") {
     for (std::string line; std::getline(text, line);) {
       const std::string command = stage_command(line);
       if (command.empty()) continue;
+      if (!has_pictures && command.find("--screenshot") != std::string::npos) {
+        MESSAGE("left out, since this build has no pictures: ", line);
+        continue;
+      }
       ++commands;
       CAPTURE(line);
       const Outcome outcome = run_program(command + " --headless");

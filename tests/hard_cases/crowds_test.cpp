@@ -15,6 +15,7 @@
 #include "05_ball_collision/ball_collision.hpp"
 #include "physics/methods/stepping_methods.hpp"
 #include "physics/stability.hpp"
+#include "random_numbers.hpp"
 #include "rounding.hpp"
 #include "run_program.hpp"
 
@@ -86,7 +87,7 @@ TEST_CASE("hard case: the order in which the balls are named does not matter, to
   for (const Collapse& collapse : {Collapse{20, 1000}, Collapse{200, 5000}}) {
     const double damping = collapse.damping;
     std::mt19937_64 random(5);
-    std::uniform_real_distribution<double> anywhere(0.1, 1.2);
+    const auto anywhere = [&random] { return test::uniform(random, 0.1, 1.2); };
     constexpr int count = 150;
     BallCollision scene;
     scene.damping = scene.floor_damping = damping;
@@ -95,18 +96,16 @@ TEST_CASE("hard case: the order in which the balls are named does not matter, to
     scene.radius.resize(count);
     State<Eigen::Matrix3Xd> balls{Eigen::Matrix3Xd(3, count), Eigen::Matrix3Xd(3, count)};
     for (int i = 0; i < count; ++i) {
-      scene.mass[i] = anywhere(random);
-      scene.radius[i] = 0.1 * anywhere(random);
+      scene.mass[i] = anywhere();
+      scene.radius[i] = 0.1 * anywhere();
       for (int axis = 0; axis < 3; ++axis) {
-        balls.position(axis, i) = anywhere(random);
-        balls.velocity(axis, i) = anywhere(random) - 0.6;
+        balls.position(axis, i) = anywhere();
+        balls.velocity(axis, i) = anywhere() - 0.6;
       }
     }
     std::vector<int> order(count);
     std::iota(order.begin(), order.end(), 0);
-    for (std::size_t i = order.size(); i > 1; --i) {  // std::shuffle differs by library
-      std::swap(order[i - 1], order[random() % i]);
-    }
+    test::shuffle(order.begin(), order.end(), random);
     BallCollision other = scene;
     State<Eigen::Matrix3Xd> shuffled = balls;
     for (int i = 0; i < count; ++i) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <random>
 
+#include "random_numbers.hpp"
 #include "reference_values.hpp"
 
 using namespace bounce;
@@ -30,9 +31,7 @@ TEST_CASE("a ball in a lane agrees with 50 digits") {
 
 TEST_CASE("a batch of balls in lanes agrees with each ball alone") {
   std::mt19937 random(5);
-  const auto between = [&](double a, double b) {
-    return std::uniform_real_distribution<double>(a, b)(random);
-  };
+  const auto between = [&](double a, double b) { return test::uniform(random, a, b); };
   std::vector<SweepBall> balls;
   for (int i = 0; i < 2003; ++i) {
     const double m = between(0.1, 3), k = std::pow(10, between(3, 5));
@@ -47,7 +46,7 @@ TEST_CASE("a batch of balls in lanes agrees with each ball alone") {
   balls.push_back({1, 9.81, 0.1, {1e4, 5, ContactLaw::push_only}, {1, 0}});
   balls.push_back({1, 9.81, 0.1, {1e4, 500}, {1, 0}});
   balls.push_back({1, 9.81, 0.1, {1e4, 5}, {0.05, 0}});
-  std::shuffle(balls.end() - 40, balls.end(), random);
+  test::shuffle(balls.end() - 40, balls.end(), random);
   for (const double t : {0.05, 0.7, 2.0, 5.0}) {
     const std::vector<State<double>> states = exact_states(balls, t);
     for (std::size_t i = 0; i < balls.size(); ++i) {

@@ -9,6 +9,7 @@
 
 #include "03_damping/exact.hpp"
 #include "physics/events/event_driven.hpp"
+#include "random_numbers.hpp"
 #include "reference_values.hpp"
 
 using namespace bounce;
@@ -59,9 +60,7 @@ TEST_CASE("a phase ends where its own formula says so, and not before") {
   // The search for the end must find the first crossing, whatever the regime, the speed and the
   // gravity (negative under an overhang), and tell the state there as move() does.
   std::mt19937 random(1);
-  const auto between = [&](double a, double b) {
-    return std::uniform_real_distribution<double>(a, b)(random);
-  };
+  const auto between = [&](double a, double b) { return test::uniform(random, a, b); };
   int ends = 0, stays = 0;
   for (int i = 0; i < 20000; ++i) {
     const auto law = i % 2 == 0 ? ContactLaw::may_pull : ContactLaw::push_only;

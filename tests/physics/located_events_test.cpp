@@ -14,6 +14,7 @@
 #include "04_three_dimensions/exact.hpp"
 #include "07_tilted_plane/exact.hpp"
 #include "physics/methods/stepping_methods.hpp"
+#include "random_numbers.hpp"
 #include "run_with.hpp"
 #include "stages/methods.hpp"
 #include "stages/scene_simulations.hpp"
@@ -118,9 +119,7 @@ TEST_CASE("flights by formula save their force evaluations and change nothing el
 
 TEST_CASE("the law of a phase is the scene's own law") {
   std::mt19937 random(3);
-  const auto any = [&](double a, double b) {
-    return std::uniform_real_distribution<double>(a, b)(random);
-  };
+  const auto any = [&](double a, double b) { return test::uniform(random, a, b); };
   for (int i = 0; i < 2000; ++i) {
     const ContactLaw law = i % 2 == 0 ? ContactLaw::may_pull : ContactLaw::push_only;
     const State<double> y{any(0, 0.2), any(-5, 5)};

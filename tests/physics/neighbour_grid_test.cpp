@@ -6,6 +6,7 @@
 #include <random>
 
 #include "floating_point_traps.hpp"
+#include "random_numbers.hpp"
 
 using namespace bounce;
 
@@ -40,9 +41,7 @@ void check_same(NeighbourGrid& grid, const Eigen::Matrix3Xd& position,
 
 struct Random {
   std::mt19937_64 generator;
-  double operator()(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(generator);
-  }
+  double operator()(double low, double high) { return test::uniform(generator, low, high); }
   Eigen::Matrix3Xd positions(int count, const Eigen::Vector3d& corner, double size) {
     Eigen::Matrix3Xd position(3, count);
     for (int i = 0; i < count; ++i) {

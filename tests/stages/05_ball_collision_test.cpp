@@ -13,6 +13,7 @@
 #include "05_ball_collision/run/balls_world.hpp"
 #include "methods.hpp"
 #include "physics/methods/stepping_methods.hpp"
+#include "random_numbers.hpp"
 #include "run_with.hpp"
 
 using namespace bounce;
@@ -79,9 +80,7 @@ const Step slides_loop = semi_implicit_euler<BallCollision, Eigen::Matrix3Xd>;
 /// Balls thrown together at random, many of them overlapping.
 Run crowd(unsigned seed, int count, double size) {
   std::mt19937_64 generator(seed);
-  const auto random = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(generator);
-  };
+  const auto random = [&](double low, double high) { return test::uniform(generator, low, high); };
   std::vector<OneBall> balls;
   for (int i = 0; i < count; ++i) {
     balls.push_back({random(0.5, 2), random(0.05, 0.15),

@@ -17,6 +17,7 @@
 #include "physics/events/damped_oscillator.hpp"
 #include "physics/events/reference_walk.hpp"
 #include "physics/methods/stepping_methods.hpp"
+#include "random_numbers.hpp"
 
 using namespace bounce;
 using Eigen::Vector3d;
@@ -149,9 +150,7 @@ TEST_CASE("stage 5: reference obeys the law of the other methods, in crowds") {
   // A plain loop with RK4 on the scene's own law, without events. Its error at a touch is of second
   // order at best and of first with a damper, hence the size of dt, and what is left of it.
   std::mt19937_64 generator(5);
-  const auto random = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(generator);
-  };
+  const auto random = [&](double low, double high) { return test::uniform(generator, low, high); };
   for (int crowd = 0; crowd < 12; ++crowd) {
     std::vector<std::vector<double>> rows;
     for (int i = 0; i < 8; ++i) {
@@ -234,9 +233,7 @@ TEST_CASE(
 
 TEST_CASE("stage 5: a flight ends with the first touch of all pairs, however far apart they are") {
   std::mt19937_64 generator(7);
-  const auto random = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(generator);
-  };
+  const auto random = [&](double low, double high) { return test::uniform(generator, low, high); };
   for (int crowd = 0; crowd < 100; ++crowd) {
     const double width = std::pow(10, crowd % 5 - 1.0);
     std::vector<std::vector<double>> rows;

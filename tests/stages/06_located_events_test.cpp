@@ -12,6 +12,7 @@
 
 #include "06_oscillating_floor/exact/exact.hpp"
 #include "methods.hpp"
+#include "random_numbers.hpp"
 #include "run_program.hpp"
 #include "run_with.hpp"
 #include "stages/scene_simulations.hpp"
@@ -44,9 +45,7 @@ State<double> at(HighOrder& run, double t) {
 class Dice {
  public:
   explicit Dice(unsigned long long seed) : random_(seed) {}
-  double between(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random_);
-  }
+  double between(double low, double high) { return test::uniform(random_, low, high); }
   double between_powers(double low, double high) {
     return std::exp(between(std::log(low), std::log(high)));
   }

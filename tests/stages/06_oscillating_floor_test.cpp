@@ -13,6 +13,7 @@
 #include "methods.hpp"
 #include "physics/events/event_driven.hpp"
 #include "physics/text.hpp"
+#include "random_numbers.hpp"
 #include "run_program.hpp"
 
 using namespace bounce;
@@ -365,9 +366,7 @@ TEST_CASE("stage 6: resonance is no special case") {
 
 TEST_CASE("stage 6: no change of phase is missed") {
   std::mt19937_64 random(6);
-  const auto uniform = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-  };
+  const auto uniform = [&](double low, double high) { return test::uniform(random, low, high); };
   int flights = 0, touches = 0, let_gos = 0;
   for (int n = 0; n < 24000; ++n) {
     OscillatingFloor scene;
@@ -512,9 +511,7 @@ TEST_CASE("stage 6: a ball that hovers on the edge of an unphysical contact is t
 
 TEST_CASE("stage 6: a slider does not make the floor jump") {
   std::mt19937_64 random(66);
-  const auto uniform = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-  };
+  const auto uniform = [&](double low, double high) { return test::uniform(random, low, high); };
   for (int n = 0; n < 2000; ++n) {
     OscillatingFloor before;
     before.amplitude = uniform(0.01, 0.1);

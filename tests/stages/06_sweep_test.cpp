@@ -8,6 +8,7 @@
 #include <random>
 
 #include "06_oscillating_floor/sweep/settled_bounces.hpp"
+#include "random_numbers.hpp"
 
 using namespace bounce;
 
@@ -32,9 +33,8 @@ std::vector<Bounce> exact_bounces(const OscillatingFloor& scene, int discarded, 
 
 TEST_CASE("stage 6: sines, cosines and exponentials of quick bounces are the C library's") {
   std::mt19937_64 random(60);
-  std::uniform_real_distribution<double> any(-1000, 1000), small(-0.25, 0.25);
   for (int n = 0; n < 100000; ++n) {
-    const double angle = any(random), x = small(random);
+    const double angle = test::uniform(random, -1000, 1000), x = test::uniform(random, -0.25, 0.25);
     const Swing<double> swing = turn(angle);
     // The sine's last digit, and that of the reduced angle.
     REQUIRE(std::abs(swing.sine - std::sin(angle)) < 4e-16);
@@ -49,9 +49,7 @@ TEST_CASE("stage 6: sines, cosines and exponentials of quick bounces are the C l
 
 TEST_CASE("stage 6: a quick bounce is the exact one, or it says that it is not sure") {
   std::mt19937_64 random(61);
-  const auto uniform = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-  };
+  const auto uniform = [&](double low, double high) { return test::uniform(random, low, high); };
   int sure = 0, tried = 0;
   for (; sure < 24000; ++tried) {
     OscillatingFloor scene;

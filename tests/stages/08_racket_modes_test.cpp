@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "08_racket_game/run/command_line.hpp"
+#include "random_numbers.hpp"
 #include "run/save_load.hpp"
 #include "run_program.hpp"
 #include "run_with.hpp"
@@ -47,14 +48,14 @@ GameRun on_beats(unsigned seed, double longer, double until) {
   GameRun run = game_of(seed, {{"mode", "blind"}});
   const Beat beat = beat_of(run.settings());
   std::mt19937 random(seed);
-  std::normal_distribution<double> noise(0, 0.03);
-  double late = noise(random);
+  test::Normal noise;
+  double late = 0.03 * noise(random);
   int last = 0;
   while (!run.round().score.lost && run.time() < until) {
     const double t = run.round().clock - late;
     const double since = (t - beat.first) / (longer * beat.period);
     const int count = static_cast<int>(std::floor(since));
-    if (count > last) late = noise(random);
+    if (count > last) late = 0.03 * noise(random);
     last = std::max(last, count);
     Input input;
     input.swing = t > beat.first && (since - std::floor(since)) * beat.period < 0.3 ? 1 : 0;

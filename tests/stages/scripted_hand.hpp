@@ -5,6 +5,7 @@
 #include <random>
 
 #include "08_racket_game/game/game_run.hpp"
+#include "random_numbers.hpp"
 
 namespace bounce::test {
 
@@ -51,7 +52,7 @@ class ScriptedHand {
     return input_;
   }
   void miss() {
-    std::normal_distribution<double> one;
+    Normal one;
     beside_x_ = aiming * one(random_);
     beside_z_ = aiming * one(random_);
     late_ = timing * one(random_);
