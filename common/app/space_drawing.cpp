@@ -121,8 +121,8 @@ void draw_plane_grid(Canvas& canvas, const Camera& camera, const Plane& plane,
   const auto count = static_cast<int>(std::ceil(reach / square));
   const auto first_u = std::floor(along.dot(middle - origin) / square);
   const auto first_v = std::floor(across.dot(middle - origin) / square);
-  const auto corner = [&, along = along, across = across](int i, int j) -> Vector3d {
-    return origin + square * ((first_u + i) * along + (first_v + j) * across);
+  const auto corner = [&, u = along, v = across](int i, int j) -> Vector3d {
+    return origin + square * ((first_u + i) * u + (first_v + j) * v);
   };
   const auto is_major = [](double n) { return std::fmod(n, 2) == 0; };
   for (int i = -count; i <= count; ++i) {
