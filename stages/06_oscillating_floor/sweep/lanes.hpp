@@ -60,8 +60,13 @@ inline double lane(const Lanes& a, std::size_t n) { return (n < 2 ? a.low : a.hi
 inline bool lane(const LanesAnswer& a, std::size_t n) {
   return (n < 2 ? a.low : a.high)[n % 2] != 0;
 }
+// Not (n < 2 ? a.low : a.high)[n % 2] = value: g++ 15 and 16 write that into a copy.
 inline void set_lane(Lanes& a, std::size_t n, double value) {
-  (n < 2 ? a.low : a.high)[n % 2] = value;
+  if (n < 2) {
+    a.low[n] = value;
+  } else {
+    a.high[n - 2] = value;
+  }
 }
 #else
 using Lanes = double;
