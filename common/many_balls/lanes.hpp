@@ -10,9 +10,8 @@
 
 #include "many_balls/ball_record.hpp"
 
-// Not with clang++: compiled by clang++ 14, this library's vectors gave wrong sums (the balls of
-// stage 5 flew apart; the state hashes of tests/hard_cases found it). There, balls go one by one.
-#if __has_include(<experimental/simd>) && defined(__GLIBCXX__) && !defined(__clang__)
+// BOUNCE_NO_SIMD: the build has found that this compiler cannot read the library's vectors.
+#if __has_include(<experimental/simd>) && defined(__GLIBCXX__) && !defined(BOUNCE_NO_SIMD)
 #include <experimental/simd>
 #define BOUNCE_HAS_SIMD 1
 #else
@@ -102,10 +101,18 @@ inline Lanes quotient(const Lanes& a, const Lanes& b, [[maybe_unused]] const Lan
 }
 // [quotient]
 
+#if defined(__AVX512F__)
+// (Not by `where`: clang++ assigns nothing through it to a vector as wide as this.)
+inline Lanes select(const LanesMask& condition, const Lanes& a, const Lanes& b) {
+  const auto chosen = static_cast<__mmask8>(condition.__to_bitset().to_ulong());
+  return Lanes(_mm512_mask_blend_pd(chosen, static_cast<__m512d>(b), static_cast<__m512d>(a)));
+}
+#else
 inline Lanes select(const LanesMask& condition, const Lanes& a, Lanes b) {
   std::experimental::where(condition, b) = a;
   return b;
 }
+#endif
 inline bool any(const LanesMask& condition) { return std::experimental::any_of(condition); }
 inline double largest(const Lanes& a) { return std::experimental::hmax(a); }
 inline double lane(const Lanes& a, Slot n) { return a[n]; }
