@@ -1,8 +1,8 @@
 #include "run/save_load.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
+#include <cstring>
 #include <map>
 #include <sstream>
 #include <string_view>
@@ -37,7 +37,8 @@ std::string checksum(std::string_view text) {
 void append_raw(std::string& text, const std::vector<double>& numbers) {
   text.reserve(text.size() + 8 * numbers.size() + 100);
   for (const double number : numbers) {
-    const auto bits = std::bit_cast<std::uint64_t>(number);
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &number, sizeof bits);  // emscripten's library has no std::bit_cast yet
     char bytes[8];
     for (int i = 0; i < 8; ++i) bytes[i] = static_cast<char>((bits >> (8 * i)) & 0xff);
     text.append(bytes, 8);
@@ -51,7 +52,7 @@ std::vector<double> read_raw(std::string_view bytes) {
     for (std::size_t i = 0; i < 8; ++i) {
       bits |= std::uint64_t{static_cast<unsigned char>(bytes[8 * n + i])} << (8 * i);
     }
-    numbers[n] = std::bit_cast<double>(bits);
+    std::memcpy(&numbers[n], &bits, sizeof bits);
   }
   return numbers;
 }
