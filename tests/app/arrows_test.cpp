@@ -25,8 +25,8 @@ using test::same;
 
 namespace {
 
-constexpr double dt = 1e-3;
-constexpr int steps = 1500;           // of each run
+constexpr double small_step = 1e-3;  // s
+constexpr int steps_a_run = 1500;
 constexpr float pixel_error = 0.01f;  // places in the window are floats: 6e-5 px each
 
 /// All of a contact is looked at, and every 20th step of a flight.
@@ -49,7 +49,7 @@ template <class Vector>
 Vector force_of_step(Playback& playback, double mass) {
   const Vector before = state_in<Vector>(playback.shown_values()).velocity;
   playback.step_forward();
-  return mass * (state_in<Vector>(playback.shown_values()).velocity - before) / dt;
+  return mass * (state_in<Vector>(playback.shown_values()).velocity - before) / small_step;
 }
 
 /// Up and down in pixels, as the picture says: 24 px for the weight, growing with the square root.
@@ -67,11 +67,12 @@ template <class Scene, class Phases>
 Seen check_arrows_on_a_line(const test::Values& settings) {
   using Run = OneBallRun<Scene, Phases>;
   const Demo demo = side_demo<Scene, Phases>();
-  auto run = std::make_unique<Run>(run_with<Run>(settings, methods::semi_implicit_euler, dt));
+  auto run =
+      std::make_unique<Run>(run_with<Run>(settings, methods::semi_implicit_euler, small_step));
   const double mass = run->scene().mass, weight = mass * run->scene().gravity;
   Playback playback(std::move(run));
   Seen seen;
-  for (int step = 0; step < steps; ++step) {
+  for (int step = 0; step < steps_a_run; ++step) {
     if (passes_over(playback, step)) continue;
     const RecordingCanvas canvas = picture_of(demo, playback);
     const double force = force_of_step<double>(playback, mass);
@@ -104,7 +105,8 @@ template <class Scene, class Phases>
 Seen check_arrows_in_space(const test::Values& settings, const Plane& plane) {
   using Run = OneBallRun<Scene, Phases>;
   const Demo demo = space_demo<Scene, Phases>();
-  auto run = std::make_unique<Run>(run_with<Run>(settings, methods::semi_implicit_euler, dt));
+  auto run =
+      std::make_unique<Run>(run_with<Run>(settings, methods::semi_implicit_euler, small_step));
   const Scene scene = run->scene();
   BallInSpace look;
   look.radius = scene.radius;
@@ -112,7 +114,7 @@ Seen check_arrows_in_space(const test::Values& settings, const Plane& plane) {
   const Vector3d gravity(0, -scene.mass * scene.gravity, 0);
   Playback playback(std::move(run));
   Seen seen;
-  for (int step = 0; step < steps; ++step) {
+  for (int step = 0; step < steps_a_run; ++step) {
     if (passes_over(playback, step)) continue;
     const RecordingCanvas canvas = picture_of(demo, playback);
     const Camera camera = camera_for(playback, look, layout::scene, false);
@@ -187,12 +189,12 @@ TEST_CASE("the arrows between two balls of stage 5 are the force that moves them
   for (const char* contact : {"may-pull", "push-only"}) {
     auto run = std::make_unique<BallsRun>(
         run_with<BallsRun>({{"scene", "pair"}, {"contact", contact}, {"damping", "60"}},
-                           methods::semi_implicit_euler, dt));
+                           methods::semi_implicit_euler, small_step));
     const BallCollision scene = run->scene();
     Playback playback(std::move(run));
     int touching = 0;
     CAPTURE(contact);
-    for (int step = 0; step < steps; ++step) {
+    for (int step = 0; step < steps_a_run; ++step) {
       CAPTURE(step);
       if (passes_over(playback, step)) continue;
       const RecordingCanvas canvas = picture_of(demo, playback);
@@ -201,7 +203,7 @@ TEST_CASE("the arrows between two balls of stage 5 are the force that moves them
       playback.step_forward();
       const Balls after = balls_in(playback.shown_values());
       const Vector3d change = after.velocity.col(0) - before.velocity.col(0);
-      const Vector3d force = scene.mass[0] * change / dt;  // of ball 1 on ball 0
+      const Vector3d force = scene.mass[0] * change / small_step;  // of ball 1 on ball 0
       std::vector<Arrow> drawn;
       for (const Arrow& arrow : canvas.arrows) {
         if (same(arrow.colour, palette::spring)) drawn.push_back(arrow);

@@ -2,8 +2,7 @@
 
 #include "checks/law.hpp"
 
-using namespace bounce::check;
-
+namespace bounce::check::free_fall {
 namespace {
 
 std::vector<Moment> moments() {
@@ -225,3 +224,5 @@ TEST_SUITE("01_free_fall") {
     judge(q, falls);
   }
 }
+
+}  // namespace bounce::check::free_fall

@@ -3,8 +3,7 @@
 #include "checks/force_parts.hpp"
 #include "checks/run_check.hpp"
 
-using namespace bounce::check;
-
+namespace bounce::check::spring_floor {
 namespace {
 
 double spring(const Moment& m) { return m.setting.stiffness * (m.setting.radius - m.y()); }
@@ -113,3 +112,5 @@ TEST_SUITE("02_spring_floor") {
     judge_runs("docs/02_spring_floor.md, \"The program\"", runs);
   }
 }
+
+}  // namespace bounce::check::spring_floor

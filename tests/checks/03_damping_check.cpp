@@ -3,8 +3,7 @@
 #include "checks/force_parts.hpp"
 #include "checks/run_check.hpp"
 
-using namespace bounce::check;
-
+namespace bounce::check::damping {
 namespace {
 
 double spring(const Moment& m) { return m.setting.stiffness * (m.setting.radius - m.y()); }
@@ -187,3 +186,5 @@ TEST_SUITE("03_damping") {
     judge_runs("docs/03_damping.md, \"The program\"", runs);
   }
 }
+
+}  // namespace bounce::check::damping

@@ -3,8 +3,7 @@
 #include "checks/force_parts.hpp"
 #include "checks/run_check.hpp"
 
-using namespace bounce::check;
-
+namespace bounce::check::three_dimensions {
 namespace {
 
 Triple weight(const Moment& m) { return up(-m.weight()); }
@@ -158,3 +157,5 @@ TEST_SUITE("04_three_dimensions") {
     judge_runs("docs/04_three_dimensions.md, \"The program\"", runs);
   }
 }
+
+}  // namespace bounce::check::three_dimensions

@@ -2,8 +2,7 @@
 
 #include <doctest/doctest.h>
 
-using namespace bounce::check;
-using namespace bounce::check::ball_collision;
+namespace bounce::check::ball_collision {
 
 TEST_SUITE("05_ball_collision") {
   TEST_CASE("the overlap is r1 + r2 - d") {
@@ -146,3 +145,5 @@ TEST_SUITE("05_ball_collision") {
     judge_runs("docs/05_ball_collision.md, \"The program\"", runs);
   }
 }
+
+}  // namespace bounce::check::ball_collision

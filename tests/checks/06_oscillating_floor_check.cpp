@@ -2,8 +2,7 @@
 
 #include <doctest/doctest.h>
 
-using namespace bounce::check;
-using namespace bounce::check::oscillating_floor;
+namespace bounce::check::oscillating_floor {
 
 TEST_SUITE("06_oscillating_floor") {
   TEST_CASE("the floor is at floor_velocity t + A sin(w t + phase)") {
@@ -189,3 +188,5 @@ TEST_SUITE("06_oscillating_floor") {
     judge_runs("docs/06_oscillating_floor.md, \"The program\"", runs);
   }
 }
+
+}  // namespace bounce::check::oscillating_floor

@@ -2,8 +2,7 @@
 
 #include <doctest/doctest.h>
 
-using namespace bounce::check;
-using namespace bounce::check::tilted_plane;
+namespace bounce::check::tilted_plane {
 
 TEST_SUITE("07_tilted_plane") {
   TEST_CASE("the normal gets length 1") {
@@ -103,3 +102,5 @@ TEST_SUITE("07_tilted_plane") {
     judge_runs("docs/07_tilted_plane.md, \"The program\"", runs);
   }
 }
+
+}  // namespace bounce::check::tilted_plane

@@ -2,8 +2,7 @@
 
 #include <doctest/doctest.h>
 
-using namespace bounce::check;
-using namespace bounce::check::racket_game;
+namespace bounce::check::racket_game {
 
 TEST_SUITE("08_racket_game") {
   TEST_CASE("over the disc the nearest point is straight below the ball") {
@@ -120,3 +119,5 @@ TEST_SUITE("08_racket_game") {
     judge_runs("docs/08_racket_game.md, \"The program\"", runs);
   }
 }
+
+}  // namespace bounce::check::racket_game

@@ -12,7 +12,7 @@ namespace bounce::check {
 
 namespace {
 
-using S = State<double>;
+using Ball = State<double>;
 using Scene = const CountedLaw&;
 
 /// Each walk begins with a fresh copy of the step, and what that remembers.
@@ -32,7 +32,7 @@ struct TwoSlopes {
   bool remembers = false;
   std::optional<double> kept = {};
 
-  void operator()(Scene scene, double t, S& s, double dt) {
+  void operator()(Scene scene, double t, Ball& s, double dt) {
     if (!kept || !remembers) kept = scene.acceleration(t, s);
     const double a1 = *kept;
     const bool asks_again = y2 != 0 || v2 != 0;
@@ -49,11 +49,11 @@ struct TwoSlopes {
 struct FourSlopes {
   double sum, moves;
 
-  void operator()(Scene scene, double t, S& s, double dt) const {
-    S slope{0, 0}, all{0, 0};
+  void operator()(Scene scene, double t, Ball& s, double dt) const {
+    Ball slope{0, 0}, all{0, 0};
     for (const auto& [ahead, weight] : {std::pair{0.0, 1}, {0.5, 2}, {0.5, 2}, {1.0, 1}}) {
       const double h = ahead * dt;
-      const S there{s.position + h * slope.position, s.velocity + h * slope.velocity};
+      const Ball there{s.position + h * slope.position, s.velocity + h * slope.velocity};
       slope = {there.velocity, scene.acceleration(t + moves * h, there)};
       all.position += weight * slope.position;
       all.velocity += weight * slope.velocity;
@@ -67,7 +67,7 @@ struct FourSlopes {
 struct AsksWhileItChanges {
   std::optional<double> old = {}, now = {};
 
-  void operator()(Scene scene, double t, S& s, double dt) {
+  void operator()(Scene scene, double t, Ball& s, double dt) {
     if (!now) now = scene.acceleration(t, s);
     const double before = *now;
     s.velocity += before * dt / 2;

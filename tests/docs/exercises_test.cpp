@@ -14,12 +14,12 @@ using bounce::test::read_file;
 
 namespace {
 
-const fs::path root = BOUNCE_SOURCE_DIR;
+const fs::path project_root = BOUNCE_SOURCE_DIR;
 
 /// The stages that have an exercise.
 std::vector<fs::path> exercises() {
   std::vector<fs::path> all;
-  for (const auto& stage : fs::directory_iterator(root / "stages")) {
+  for (const auto& stage : fs::directory_iterator(project_root / "stages")) {
     if (fs::exists(stage.path() / "gaps.hpp")) all.push_back(stage.path());
   }
   return all;
@@ -27,12 +27,12 @@ std::vector<fs::path> exercises() {
 
 /// The stage's own header, as its subject under check names it.
 std::string course_header(const std::string& stage) {
-  fs::path subject = root / "stages" / stage / "tests/subject.cpp";  // ./course new made it
-  if (!fs::exists(subject)) subject = root / "tests/checks/subjects" / (stage + ".cpp");
+  fs::path subject = project_root / "stages" / stage / "tests/subject.cpp";  // ./course new made it
+  if (!fs::exists(subject)) subject = project_root / "tests/checks/subjects" / (stage + ".cpp");
   const std::string text = read_file(subject.string());
   const std::string before = "#define BOUNCE_STAGE_HEADER \"";
   const std::size_t at = text.find(before) + before.size();
-  return read_file((root / "stages" / text.substr(at, text.find('"', at) - at)).string());
+  return read_file((project_root / "stages" / text.substr(at, text.find('"', at) - at)).string());
 }
 
 using Lines = std::vector<std::string>;
@@ -127,7 +127,7 @@ TEST_CASE("an exercise says in its first three lines what to do, and has three h
     check_head_and_hints(stage / "gaps.hpp", stage / "hints.txt",
                          "docs/" + stage.filename().string() + ".md");
   }
-  const fs::path loop = root / "stages/02_spring_floor/own_method";
+  const fs::path loop = project_root / "stages/02_spring_floor/own_method";
   check_head_and_hints(loop / "my_method.hpp", loop / "hints.txt",
                        "docs/deeper/02_spring_floor.md");
 }

@@ -12,7 +12,7 @@ struct Row {
   double zeta, e_may_pull, e_push_only, t_may_pull, t_push_only;
 };
 // Computed with 40 digits from the two end-of-contact rules; omega0 = 1.
-constexpr Row table[] = {
+constexpr Row known_contacts[] = {
     {0.05, 0.8544678930, 0.8587581018, 3.145527, 3.045360},
     {0.1, 0.7292476143, 0.7440793977, 3.157419, 2.956075},
     {0.2, 0.5266205993, 0.5717400276, 3.206375, 2.795354},
@@ -29,7 +29,7 @@ SpringDamper contact_with(double zeta, ContactLaw law, double k, double m) {
 }  // namespace
 
 TEST_CASE("restitution and contact time of both laws, for any mass and stiffness") {
-  for (const Row& row : table) {
+  for (const Row& row : known_contacts) {
     for (const double k : {1.0, 1e4, 3.1e6}) {
       for (const double m : {1.0, 0.021, 1e-12}) {
         CAPTURE(row.zeta);

@@ -134,7 +134,7 @@ TEST_CASE("stage 4: flight is a parabola") {
   // of stage 1: +g t dt / 2 for explicit Euler, -g t dt / 2 for semi-implicit Euler, none for
   // velocity Verlet and RK4.
   const Vector3d p0{0.5, 2, -1}, v0{1.5, 3, -0.7};
-  const double g = 9.81;
+  const double gravity = 9.81;
   for (const Method method : stepping) {
     for (const double dt : steps_sizes) {
       Run4 run;
@@ -145,10 +145,12 @@ TEST_CASE("stage 4: flight is a parabola") {
       run.place({p0.x(), p0.y(), p0.z(), v0.x(), v0.y(), v0.z()});
       for (const double t : {0.5, 1.0, 2.0}) {  // whole multiples of every dt
         run.advance_to(t);
-        const double error_of_method = method == methods::explicit_euler        ? g * t * dt / 2
-                                       : method == methods::semi_implicit_euler ? -g * t * dt / 2
-                                                                                : 0;
-        const Vector3d expected = p0 + v0 * t + Vector3d(0, -g * t * t / 2 + error_of_method, 0);
+        const double error_of_method = method == methods::explicit_euler ? gravity * t * dt / 2
+                                       : method == methods::semi_implicit_euler
+                                           ? -gravity * t * dt / 2
+                                           : 0;
+        const Vector3d expected =
+            p0 + v0 * t + Vector3d(0, -gravity * t * t / 2 + error_of_method, 0);
         // n sums, each rounded by half an epsilon of a height below 20 m; the velocity, below
         // 20 m/s, is such a sum itself and is used n times: its error grows like n^2 dt.
         const double n = t / dt;

@@ -37,12 +37,17 @@ class EmbeddedPair {
  protected:
   using Slopes = std::array<Vector, slopes + 1>;
 
-  /// Slope i, at the share `c` of the step; `sum` weighs the slopes before it.
+  /// Slope i, at the share `c` of the step; `sum` weighs the slopes before it. (Sums of sums alone,
+  /// with a minus in front of a number: so all of one length have one type, and compile quickly.)
   template <class Law, class Sum>
   void slope(const Law& law, double t, double h, std::size_t i, double c, const Sum& sum) {
     state_.position = start_.position + h * sum(velocity_);
     state_.velocity = start_.velocity + h * sum(acceleration_);
-    acceleration_[i] = law.acceleration(t + c * h, state_);
+    evaluate(law, t + c * h, i);
+  }
+  template <class Law>
+  void evaluate(const Law& law, double t, std::size_t i) {
+    acceleration_[i] = law.acceleration(t, state_);
     std::swap(velocity_[i], state_.velocity);  // cheaper than a copy
     ++evaluations_;
   }
