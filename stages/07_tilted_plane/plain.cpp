@@ -12,7 +12,7 @@ const double c = 5.0;     // damping [N s/m]
 const double dt = 1e-3;   // time step [s]
 const int steps = 10000;  // 10 s of them
 
-const Vector3d abc(0.17633, 1.0, 0.0);     // square to the plane; here it leans by 10 degrees
+const Vector3d abc(0.17633, 1.0, 0.0);     // normal to the plane; here it leans by 10 degrees
 const Vector3d normal = abc / abc.norm();  // the same with length 1: d is then a distance, too
 const double d = 0.0 / abc.norm();         // [m] (both sides of the equation, divided alike)
 

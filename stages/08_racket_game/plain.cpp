@@ -15,7 +15,7 @@ const double c = 14.17;   // damping [N s/m]
 const double dt = 1e-3;   // time step [s]
 const int steps = 10000;  // 10 s of them
 
-const Vector3d abc(0.0, 1.0, 0.0);         // square to the racket, a disc; here it lies flat
+const Vector3d abc(0.0, 1.0, 0.0);         // normal to the racket, a disc; here it lies flat
 const Vector3d normal = abc / abc.norm();  // the same with length 1
 const Vector3d start(0.25, 0.0, 0.0);      // centre of the disc at the start [m]
 const Vector3d u(-0.06, 0.1, 0.0);         // and its velocity [m/s]

@@ -121,8 +121,8 @@ std::vector<Result> results_of(const Report& report, const std::string& case_nam
   return found;
 }
 
-double measured_order(const std::vector<Result>& results) {
-  double n = 0, mx = 0, my = 0, sxy = 0, sxx = 0;
+ErrorLine error_line(const std::vector<Result>& results) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   Result best{};  // smaller steps than its only add rounding
   best.position_error = std::numeric_limits<double>::infinity();
   for (const Result& r : results) {
@@ -132,17 +132,21 @@ double measured_order(const std::vector<Result>& results) {
     return r.knob == "dt" && r.value < 1.1e-3 && r.value >= best.value && r.position_error < 0.1 &&
            r.position_error > (best.position_error < 1e-10 ? 1e-10 : 0);
   };
+  double n = 0, mx = 0, my = 0, sxy = 0, sxx = 0, largest = 0;
   for (const Result& r : results) {
-    if (fits(r)) n += 1, mx += std::log(r.value), my += std::log(r.position_error);
+    if (!fits(r)) continue;
+    n += 1, mx += std::log(r.value), my += std::log(r.position_error);
+    largest = std::max(largest, r.value);
   }
-  if (n < 5) return std::numeric_limits<double>::quiet_NaN();
+  if (n < 5) return {none, none};
   for (const Result& r : results) {
     if (!fits(r)) continue;
     const double x = std::log(r.value) - mx / n;
     sxy += x * (std::log(r.position_error) - my / n);
     sxx += x * x;
   }
-  return sxy / sxx;
+  const double order = sxy / sxx;
+  return {order, largest > 0.9e-3 ? std::exp(my / n + order * (std::log(1e-3) - mx / n)) : none};
 }
 
 }  // namespace bounce::report

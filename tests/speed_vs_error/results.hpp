@@ -35,8 +35,13 @@ std::vector<Result> results_in(const Report& report, const std::string& case_nam
 std::vector<Result> results_of(const Report& report, const std::string& case_name,
                                const std::string& method);
 
-/// Slope of log(position error) against log(dt) by least squares, over the steps of at most 1 ms
-/// whose errors are neither rounding nor nonsense; not a number for fewer than five.
-double measured_order(const std::vector<Result>& results);
+/// The straight line through log(position error) against log(dt) by least squares, over the steps
+/// of at most 1 ms whose errors are neither rounding nor nonsense; not a number for fewer than
+/// five.
+struct ErrorLine {
+  double order;
+  double with_1_ms;  // m; not a number if 1 ms is none of these steps
+};
+ErrorLine error_line(const std::vector<Result>& results);
 
 }  // namespace bounce::report

@@ -69,10 +69,24 @@ std::string cost_table(const Report& report, const std::string& case_name) {
   return out;
 }
 
+/// The coarsest result that reaches the error together with all finer ones: a lucky step does not
+/// count. Null when there is none.
+const Result* from_here_on(const std::vector<Result>& results, double error) {
+  const Result* best = nullptr;
+  for (const Result& r : results) {  // from coarse to fine
+    if (!(r.position_error <= error)) {
+      best = nullptr;
+    } else if (best == nullptr) {
+      best = &r;
+    }
+  }
+  return best;
+}
+
 /// For a lesson: the course's methods only, and what each step buys.
 std::string choice_table(const Report& report, const std::string& case_name) {
   std::string out =
-      "| method | error with 1 ms [m] | to 1 mm: us (step) | to 1 um | to 1 nm | order |\n"
+      "| method | error with 1 ms, fitted [m] | to 1 mm: us (step) | to 1 um | to 1 nm | order |\n"
       "|---|---|---|---|---|---|\n";
   for (const std::string& method : methods_in(report, case_name)) {
     const std::vector<Result> results = results_of(report, case_name, method);
@@ -84,17 +98,18 @@ std::string choice_table(const Report& report, const std::string& case_name) {
       out += " rounding | " + cost + " | " + cost + " | " + cost + " | - |\n";
       continue;
     }
-    std::string with_1_ms = "-";
-    for (const Result& r : results) {
-      if (r.knob == "dt" && std::abs(r.value / 1e-3 - 1) < 1e-3)
-        with_1_ms = text_of(r.position_error);
+    const ErrorLine line = error_line(results);
+    double with_1_ms = line.with_1_ms;
+    for (const Result& r : results) {  // where no line goes through, what one run says
+      if (std::isnan(with_1_ms) && r.knob == "dt" && std::abs(r.value / 1e-3 - 1) < 1e-3)
+        with_1_ms = r.position_error;
     }
-    out += " " + with_1_ms + " |";
+    out += " " + text_of(with_1_ms) + " |";
     for (const double error : {1e-3, 1e-6, 1e-9}) {
-      const Result* r = cheapest(results, error);
+      const Result* r = from_here_on(results, error);
       out += r == nullptr ? " - |" : " " + text_of(r->cost) + " (" + text_of(r->value) + ") |";
     }
-    out += " " + text_of(measured_order(results)) + " |\n";
+    out += " " + text_of(line.order) + " |\n";
   }
   return out;
 }
@@ -143,7 +158,7 @@ std::string order_table(const Report& report) {
                              "rk4-events", "flight-rk4"}) {
     out += std::string("| `") + method + "` |";
     for (const std::string& name : in) {
-      out += " " + text_of(measured_order(results_of(report, name, method))) + " |";
+      out += " " + text_of(error_line(results_of(report, name, method)).order) + " |";
     }
     out += "\n";
   }

@@ -15,8 +15,8 @@
 
 namespace bounce {
 
-// Compiled once, in scene_simulations.cpp: each takes a second or two. (Free fall has no contact, and
-// is small.)
+// Compiled once, in scene_simulations.cpp: each takes a second or two. (Free fall has no contact,
+// and is small.)
 extern template class RunOf<OneBallWorld<SpringFloor, SpringFloorExact>>;
 extern template class RunOf<OneBallWorld<Damping, DampingExact>>;
 extern template class RunOf<OneBallWorld<ThreeDimensions, ThreeDimensionsExact>>;
