@@ -1,7 +1,9 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <set>
+#include <vector>
 
 #include "docs/lesson_tool.hpp"
 #include "speed_vs_error/results.hpp"
@@ -24,6 +26,25 @@ TEST_CASE("the figures of the speed report are drawn from the committed CSV") {
     CHECK(test::read_file(root + "docs/speed_vs_error.md").find("images/speed_vs_error_" + name) !=
           std::string::npos);
   }
+}
+
+TEST_CASE(
+    "what a table says of a method at 1 ms is that of all its steps: a lucky one counts little") {
+  std::vector<report::Result> results;
+  for (int i = 0; i <= 17; ++i) {
+    report::Result r{};
+    r.knob = "dt";
+    r.value = 1e-3 * std::pow(10, -i / 6.0);
+    r.position_error = 3 * r.value * r.value * (i % 2 == 0 ? 1.25 : 0.8);
+    results.push_back(r);
+  }
+  CHECK(report::error_line(results).order == doctest::Approx(2).epsilon(0.02));
+  CHECK(report::error_line(results).with_1_ms == doctest::Approx(3e-6).epsilon(0.05));
+  results[0].position_error /= 10;
+  CHECK(report::error_line(results).with_1_ms == doctest::Approx(3e-6).epsilon(0.4));
+  results.erase(results.begin());
+  CHECK(std::isnan(report::error_line(results).with_1_ms));  // 1 ms was not run
+  CHECK(report::error_line(results).order == doctest::Approx(2).epsilon(0.02));
 }
 
 TEST_CASE("every second page shows the figure of its stage, and what to choose from it") {
