@@ -20,11 +20,16 @@ std::string text_of(double value, int digits = 2) {
   return text;
 }
 
-/// The cheapest result that reaches the error; null when none does.
+/// Of one method, the cheapest result that reaches the error together with all finer ones: a lucky
+/// step does not count. Null when there is none.
 const Result* cheapest(const std::vector<Result>& results, double error) {
   const Result* best = nullptr;
-  for (const Result& r : results) {
-    if (r.position_error <= error && (best == nullptr || r.cost < best->cost)) best = &r;
+  for (const Result& r : results) {  // from coarse to fine
+    if (!(r.position_error <= error)) {
+      best = nullptr;
+    } else if (best == nullptr || r.cost < best->cost) {
+      best = &r;
+    }
   }
   return best;
 }
@@ -69,20 +74,6 @@ std::string cost_table(const Report& report, const std::string& case_name) {
   return out;
 }
 
-/// The coarsest result that reaches the error together with all finer ones: a lucky step does not
-/// count. Null when there is none.
-const Result* from_here_on(const std::vector<Result>& results, double error) {
-  const Result* best = nullptr;
-  for (const Result& r : results) {  // from coarse to fine
-    if (!(r.position_error <= error)) {
-      best = nullptr;
-    } else if (best == nullptr) {
-      best = &r;
-    }
-  }
-  return best;
-}
-
 /// For a lesson: the course's methods only, and what each step buys.
 std::string choice_table(const Report& report, const std::string& case_name) {
   std::string out =
@@ -106,7 +97,7 @@ std::string choice_table(const Report& report, const std::string& case_name) {
     }
     out += " " + text_of(with_1_ms) + " |";
     for (const double error : {1e-3, 1e-6, 1e-9}) {
-      const Result* r = from_here_on(results, error);
+      const Result* r = cheapest(results, error);
       out += r == nullptr ? " - |" : " " + text_of(r->cost) + " (" + text_of(r->value) + ") |";
     }
     out += " " + text_of(line.order) + " |\n";
@@ -259,12 +250,16 @@ std::string headline_table(const Report& report) {
     return r == nullptr ? std::string("-") : text_of(r->cost) + " us";
   });
   both("the cheapest peer at 1e-9 m", [&](const char* name) {
-    std::vector<Result> peers;
-    for (const Result& r : report.results) {
-      if (r.is_peer && r.case_name == name) peers.push_back(r);
+    std::string cell = "-";
+    double cost = INFINITY;
+    for (const std::string& method : methods_in(report, name)) {
+      const std::vector<Result> all = results_of(report, name, method);
+      const Result* r = all[0].is_peer ? cheapest(all, 1e-9) : nullptr;
+      if (r == nullptr || r->cost >= cost) continue;
+      cost = r->cost;
+      cell = method + ", " + text_of(cost) + " us";
     }
-    const Result* r = cheapest(peers, 1e-9);
-    return r == nullptr ? std::string("-") : r->method + ", " + text_of(r->cost) + " us";
+    return cell;
   });
   both("RK4 with dt = 1e-4 s: error without, and with located events", [&](const char* name) {
     std::string cell;
