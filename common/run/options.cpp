@@ -20,7 +20,8 @@ void apply_stage_options(const std::vector<StageOption>& of_stage, const Words& 
   for (const StageOption& option : of_stage) {
     const auto given = options.of_stage.find(option.name);
     if (given == options.of_stage.end()) continue;
-    if (!options.load.empty() && (option.go_on || !option.replaces.empty())) {
+    const bool starts = option.go_on || option.from_the_start || !option.replaces.empty();
+    if (!options.load.empty() && starts) {
       throw BadInput("--load brings its own state: leave out " + option.name);
     }
     for (const std::string& setting : words.set) {

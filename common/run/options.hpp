@@ -41,7 +41,8 @@ struct StageOption {
   std::vector<std::string> replaces = {};  // parameters that cannot be set beside it
   /// Called when all is set and the run stands at its start, for what goes on from somewhere else.
   std::function<void(Simulation&, const std::string& text)> go_on = {};
-  bool is_saved = false;  // `--save` keeps it, and `--load` applies it
+  bool is_saved = false;        // `--save` keeps it, and `--load` applies it
+  bool from_the_start = false;  // what it is about begins at t = 0, and not at a `--load`
 };
 
 /// What the user asked for on the command line. Parameters, method and time step are not here: they

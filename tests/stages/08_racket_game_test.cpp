@@ -533,6 +533,13 @@ TEST_CASE("stage 8: the command line") {
   CHECK(test::run_program("08_racket_game --player idle --headless").err.find("lost=yes") !=
         std::string::npos);
 
+  for (const char* option : {"--record-input", "--replay"}) {  // a round is known from its start on
+    const test::Outcome outcome =
+        test::run_program("08_racket_game --headless --load s " + std::string(option) + " r");
+    CHECK(outcome.code == 2);
+    CHECK(outcome.err.find(std::string("leave out ") + option) != std::string::npos);
+  }
+
   for (const char* bad :
        {"--player autopil", "--player ''", "--set racket_normal=0,0,0", "--set racket_radius=0",
         "--set racket_radius=-1", "--set racket_velocity=0,nan,0", "--set racket_position=1,2",

@@ -66,12 +66,16 @@ inline std::vector<StageOption> racket_game_options(bool& is_game, InputRecord& 
     InputFile(std::string("--keys"), path);  // can it be read? Its lines are a window's
     keys = path;
   };
+  StageOption recorded{"--record-input", "FILE",
+                       "write the last round's inputs when the program ends", with_files(record)};
+  StageOption replayed{"--replay", "FILE", "play recorded inputs in place of a player",
+                       with_files(replay)};
+  recorded.from_the_start = replayed.from_the_start = true;
   return {player,
           {"--keys", "FILE", "other keys, a line for each: 'J = A' lets J do what A does",
            with_files(other_keys)},
-          {"--record-input", "FILE", "write the last round's inputs when the program ends",
-           with_files(record)},
-          {"--replay", "FILE", "play recorded inputs in place of a player", with_files(replay)}};
+          recorded,
+          replayed};
 }
 
 }  // namespace bounce
