@@ -67,8 +67,9 @@ void Panel::draw(Playback& playback, View& view) {
     ImGui::SameLine();
     ImGui::Checkbox("section (N)", &view.section);
   }
-  if (ImGui::Button("copy command") && seen_) SDL_SetClipboardText(command(playback).c_str());
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", command(playback).c_str());
+  const auto command = [&] { return command_for(demo_.stage, playback.simulation(), *fresh_); };
+  if (ImGui::Button("copy command") && seen_) SDL_SetClipboardText(command().c_str());
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", command().c_str());
   ImGui::SameLine();
   if (ImGui::Button("keys (F1)")) view.help = !view.help;
   if (ImGui::CollapsingHeader("more parameters")) draw_parameters(playback, view, false);
@@ -140,10 +141,6 @@ void Panel::draw_method(Playback& playback, View& view) {
   note_slider(playback, view);
   ImGui::SameLine();
   ImGui::TextColored(colour(palette::exact), "s");
-}
-
-std::string Panel::command(Playback& playback) {
-  return command_for(demo_.stage, playback.simulation(), *fresh_);
 }
 
 }  // namespace bounce

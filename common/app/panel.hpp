@@ -1,6 +1,5 @@
 #pragma once
 #include <memory>
-#include <string>
 
 #include "app/demo.hpp"
 
@@ -25,9 +24,6 @@ class Panel {
   void draw(Playback& playback, View& view);
 
   FrameCost frame_cost;  // for the read-out
-
-  /// The command line that starts a run like this one.
-  std::string command(Playback& playback);
 
  private:
   void draw_parameters(Playback& playback, View& view, bool main_ones);
