@@ -80,8 +80,6 @@ bool is_on_ball(Point pixel, const Playback& playback, const BallOnALine& ball) 
   return std::hypot(pixel.x - centre.x, pixel.y - centre.y) < reach;
 }
 
-}  // namespace
-
 void draw_side_view(Canvas& canvas, const Playback& playback, const View& view,
                     const BallOnALine& ball) {
   const SideCamera camera = side_camera(playback, ball);
@@ -135,6 +133,8 @@ void draw_side_view(Canvas& canvas, const Playback& playback, const View& view,
   draw_forces(canvas, playback, view, ball, centre, radius, ground);
   canvas.pop_clip();
 }
+
+}  // namespace
 
 void use_side_view(Demo& demo, const std::function<BallOnALine(const Simulation&)>& look) {
   const auto ball = [look](const Playback& playback) { return look(playback.simulation()); };

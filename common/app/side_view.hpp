@@ -24,15 +24,11 @@ struct BallOnALine {
          highest = 1.25;  // in the picture [m]; the top grows when the ball leaves it
 };
 
-/// The scene of stages 1 to 3 and 6: ruler, ground, ball and ghost, forces; to the left where the
-/// ball has been, to the right (while a slider moves) where it will go: height against time, on the
-/// ruler's own scale; so is the path of a floor that moves. With `strobe`, the images stay where
-/// they were taken instead.
-void draw_side_view(Canvas& canvas, const Playback& playback, const View& view,
-                    const BallOnALine& ball);
-
-/// Gives a demo this scene as its picture, with a ball that can be dragged and thrown. `look` is
-/// asked for every picture: parameters may have changed.
+/// Gives a demo the picture of stages 1 to 3 and 6: ruler, ground, ball and ghost, forces; to the
+/// left where the ball has been, to the right (while a slider moves) where it will go: height
+/// against time, on the ruler's own scale; so is the path of a floor that moves. With `strobe`, the
+/// images stay where they were taken instead. The ball can be dragged and thrown. `look` is asked
+/// for every picture: parameters may have changed.
 void use_side_view(Demo& demo, const std::function<BallOnALine(const Simulation&)>& look);
 
 /// The demo of a scene with one ball on a line. `look` says what is not in the scene;

@@ -87,13 +87,6 @@ void draw_scene(Canvas& canvas, const Playback& playback, const View& view, cons
   canvas.pop_clip();
 }
 
-}  // namespace
-
-Camera camera_for(const Playback& playback, const BallInSpace& ball, Rect area, bool from_above) {
-  const double zoom = zoom_out(playback, ball);
-  return camera_before(target(playback, ball, zoom), ball.distance * zoom, 0.30, area, from_above);
-}
-
 void draw_space_view(Canvas& canvas, const Playback& playback, const View& view,
                      const BallInSpace& ball) {
   draw_scene(canvas, playback, view, ball, layout::scene, view.from_above, true);
@@ -102,6 +95,13 @@ void draw_space_view(Canvas& canvas, const Playback& playback, const View& view,
   draw_frame(canvas, inset, palette::grid_major, 1);
   canvas.text({inset.x + 8, inset.y + 5}, view.from_above ? "from the side (T)" : "from above (T)",
               palette::ink, Align::left, TextSize::tick);
+}
+
+}  // namespace
+
+Camera camera_for(const Playback& playback, const BallInSpace& ball, Rect area, bool from_above) {
+  const double zoom = zoom_out(playback, ball);
+  return camera_before(target(playback, ball, zoom), ball.distance * zoom, 0.30, area, from_above);
 }
 
 void use_space_view(Demo& demo, const std::function<BallInSpace(const Simulation&)>& look) {

@@ -29,13 +29,9 @@ struct BallInSpace {
 /// What looks at it, in that part of the window.
 Camera camera_for(const Playback& playback, const BallInSpace& ball, Rect area, bool from_above);
 
-/// The scene of stages 4 and 7 in perspective, and small in a corner the same scene from straight
-/// above; `View::from_above` exchanges the two.
-void draw_space_view(Canvas& canvas, const Playback& playback, const View& view,
-                     const BallInSpace& ball);
-
-/// Gives a demo this scene as its picture, with a ball that can be dragged and thrown. `look` is
-/// asked for every picture: parameters may have changed.
+/// Gives a demo the picture of stages 4 and 7: the scene in perspective, and small in a corner the
+/// same scene from straight above; `View::from_above` exchanges the two. The ball can be dragged
+/// and thrown. `look` is asked for every picture: parameters may have changed.
 void use_space_view(Demo& demo, const std::function<BallInSpace(const Simulation&)>& look);
 
 /// The demo of a scene with one ball in space, above a floor or a plane. `look` says what is not in
