@@ -179,15 +179,15 @@ void draw_error_chart(Canvas& canvas, Rect area, const ErrorChart& chart, Method
               TextSize::tick);
 }
 
-std::optional<ChartChoice> error_chart_choice(Rect area, const ErrorChart& chart, Point at) {
+std::optional<ErrorChart::Choice> error_chart_choice(Rect area, const ErrorChart& chart, Point at) {
   const Axes axes = axes_for(area, chart);
   const std::size_t names = methods_of(chart).size();
   const Rect exact = name_place(axes, names - 1, names);
   if (chart.offers(methods::exact) && at.x >= exact.x - 8 && at.x <= exact.right() &&
       at.y >= exact.y && at.y <= exact.bottom()) {
-    return ChartChoice{methods::exact, 0};
+    return ErrorChart::Choice{methods::exact, 0};
   }
-  std::optional<ChartChoice> nearest;
+  std::optional<ErrorChart::Choice> nearest;
   float closest = 12;  // px
   for (const ErrorChart::Dot& dot : chart.dots()) {
     if (!(dot.error <= nonsense)) continue;
@@ -195,7 +195,7 @@ std::optional<ChartChoice> error_chart_choice(Rect area, const ErrorChart& chart
     const float distance = std::hypot(place.x - at.x, place.y - at.y);
     if (distance >= closest) continue;
     closest = distance;
-    nearest = ChartChoice{dot.method, dot.dt};
+    nearest = ErrorChart::Choice{dot.method, dot.dt};
   }
   return nearest;
 }

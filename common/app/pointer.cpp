@@ -34,7 +34,7 @@ bool choose_from_chart(const Demo& demo, const View& view, const ErrorChart& cha
   const bool inside =
       at.x >= area.x && at.x <= area.right() && at.y >= area.y && at.y <= area.bottom();
   if (!view.chart || demo.bare || !inside) return false;
-  if (const std::optional<ChartChoice> choice = error_chart_choice(area, chart, at)) {
+  if (const std::optional choice = error_chart_choice(area, chart, at)) {
     playback.change([&choice](Simulation& simulation) {
       simulation.use_method(choice->method);
       if (choice->dt > 0) simulation.use_dt(choice->dt);

@@ -20,6 +20,11 @@ class ErrorChart {
     double evaluations;  // of the force, per simulated second
     double error;        // largest distance from the exact solution [m]; infinite if it explodes
   };
+  struct Choice {
+    Method method;
+    double dt;
+    bool operator==(const Choice&) const = default;
+  };
 
   /// Looks at the simulation. When its parameters have changed and then stood still for `patience`
   /// calls, all is run anew; when only its method or time step has, one run is added.
@@ -37,11 +42,6 @@ class ErrorChart {
   const std::string& trouble() const { return trouble_; }
 
  private:
-  struct Choice {
-    Method method;
-    double dt;
-    bool operator==(const Choice&) const = default;
-  };
   struct Run {
     Choice choice;
     bool own;
