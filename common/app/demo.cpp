@@ -1,7 +1,6 @@
 #include "app/demo.hpp"
 
 #include <filesystem>
-#include <iostream>
 #include <utility>
 
 #include "run/file_name.hpp"

@@ -41,9 +41,8 @@ class Window {
 
   Playback& playback() { return playback_; }
   View& view() { return view_; }
-  Pixels pixels() const { return pixels_; }  // of the last frame, where `keep_pixels` was asked for
+  const Pixels& pixels() const { return pixels_; }  // of the last frame, with `keep_pixels`
   bool keep_pixels = false;
-  void resize(int width, int height) { SDL_SetWindowSize(window_, width, height); }
 
  private:
   void handle(const SDL_Event& event);

@@ -9,7 +9,6 @@
 #include "app/page_calls.hpp"
 #include "app/page_words.hpp"
 #include "app/survey.hpp"
-#include "run/output_file.hpp"
 
 // clang-format off
 EM_JS(int, page_kept, (const char* name), { return Module.kept(UTF8ToString(name)); });
@@ -30,10 +29,6 @@ std::vector<double> rows;
 
 int kept_number(const std::string& name) { return page_kept(name.c_str()); }
 void keep_number(const std::string& name, int number) { page_keep(name.c_str(), number); }
-
-void save_picture(const Demo&, std::unique_ptr<Simulation>, const Options&, const std::string&) {
-  throw MachineFailure("a web page saves no pictures");
-}
 
 int play_demo(int argc, const char* const* argv, const Demo& demo) {
   const std::string refused = guard(answer, [&] {

@@ -1,7 +1,6 @@
 #include "run/options.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <optional>
 
