@@ -19,26 +19,6 @@ namespace {
 constexpr double trail_length = 4;     // s
 constexpr double mark_interval = 0.1;  // s between the dots on the trail
 
-/// The points of the trace between two times; the present is the last one.
-struct Past {
-  std::vector<double> times;
-  std::vector<Vector3d> points;
-  std::vector<Vector3d> exact;
-};
-
-Past past(const Playback& playback, double from) {
-  Past past;
-  for (const TracePoint& point : playback.trace()) {
-    if (point.t < from || point.t > playback.shown_time()) continue;
-    past.times.push_back(point.t);
-    past.points.push_back(position_in(point.values));
-    if (!point.exact.empty()) past.exact.push_back(position_in(point.exact));
-  }
-  past.times.push_back(playback.shown_time());
-  past.points.push_back(position_in(playback.shown_values()));
-  return past;
-}
-
 /// Where and when the ball touched the plane.
 struct Landing {
   double t;
@@ -77,12 +57,20 @@ void draw_trail(Canvas& canvas, const Camera& camera, const Playback& playback,
                 const BallInSpace& ball) {
   constexpr std::size_t piece = 24;  // points drawn with the same paleness
   const double now = playback.shown_time();
-  const Past trail = past(playback, now - trail_length);
+  std::vector<double> times;
+  std::vector<Vector3d> points;
+  for (const TracePoint& point : playback.trace()) {
+    if (point.t < now - trail_length || point.t > now) continue;
+    times.push_back(point.t);
+    points.push_back(position_in(point.values));
+  }
+  times.push_back(now);
+  points.push_back(position_in(playback.shown_values()));
   const auto paleness = [&](double t) { return 1 - 0.85 * (now - t) / trail_length; };
-  for (std::size_t i = 0; i + 1 < trail.points.size(); i += piece) {
-    const std::size_t count = std::min(piece + 1, trail.points.size() - i);
-    const std::span<const Vector3d> part(&trail.points[i], count);
-    const double share = paleness(trail.times[i]);
+  for (std::size_t i = 0; i + 1 < points.size(); i += piece) {
+    const std::size_t count = std::min(piece + 1, points.size() - i);
+    const std::span<const Vector3d> part(&points[i], count);
+    const double share = paleness(times[i]);
     if (ball.has_plane && ball.plane.normal.y() > 0.05) {
       std::vector<Vector3d> shadow;
       for (const Vector3d& point : part) shadow.push_back(below(ball.plane, point));
@@ -90,11 +78,11 @@ void draw_trail(Canvas& canvas, const Camera& camera, const Playback& playback,
     }
     draw_path(canvas, camera, part, palette::motion.faded(0.8 * share), 1.5f);
   }
-  for (std::size_t i = 1; i < trail.points.size(); ++i) {
-    const double t = mark_interval * std::floor(trail.times[i] / mark_interval + 1e-9);
-    if (t <= trail.times[i - 1] + 1e-9 || t > trail.times[i] + 1e-9) continue;
-    const double share = (t - trail.times[i - 1]) / (trail.times[i] - trail.times[i - 1]);
-    const Vector3d at = trail.points[i - 1] + share * (trail.points[i] - trail.points[i - 1]);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double t = mark_interval * std::floor(times[i] / mark_interval + 1e-9);
+    if (t <= times[i - 1] + 1e-9 || t > times[i] + 1e-9) continue;
+    const double share = (t - times[i - 1]) / (times[i] - times[i - 1]);
+    const Vector3d at = points[i - 1] + share * (points[i] - points[i - 1]);
     if (!camera.sees(at)) continue;
     canvas.disc(camera.at(at), 2.5f, palette::motion.faded(paleness(t)));
   }
