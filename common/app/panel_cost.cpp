@@ -1,6 +1,5 @@
 // The panel's read-out: what a step costs on this machine, and how wrong the run is now.
 #include <algorithm>
-#include <chrono>
 
 #include "app/drawing.hpp"
 #include "app/panel.hpp"
@@ -13,14 +12,13 @@ void Panel::measure_cost(const Playback& playback) {
   const std::unique_ptr<Simulation> copy = playback.simulation().clone();
   copy->keep_energy_book(false);
   const double steps = std::max(10.0, 20000 / static_cast<double>(copy->balls()));
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin = Playback::wall_clock();
   try {
     copy->advance_to(copy->time() + steps * copy->dt());
   } catch (const std::exception&) {
     return;
   }
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-  ns_per_step_ = taken.count() / steps * 1e9;
+  ns_per_step_ = (Playback::wall_clock() - begin) / steps * 1e9;
   counted_per_second_ = static_cast<double>(copy->counted_force_evaluations() -
                                             playback.simulation().counted_force_evaluations()) /
                         (copy->time() - playback.simulation().time());

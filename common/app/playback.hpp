@@ -19,7 +19,7 @@ class Playback {
  public:
   using Clock = std::function<double()>;  // s, from any zero
   explicit Playback(std::unique_ptr<Simulation> simulation, Clock clock = wall_clock);
-  static double wall_clock();
+  static double wall_clock();  // of this machine: it never goes back
 
   Simulation& simulation() { return *simulation_; }
   const Simulation& simulation() const { return *simulation_; }

@@ -1,6 +1,5 @@
 // What would happen from here, with the present parameters.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "app/playback.hpp"
@@ -31,11 +30,10 @@ std::vector<TracePoint> Playback::future(double seconds) const {
     // About a millisecond for one ball, and with many not much longer.
     const double most_steps = 2e5 / static_cast<double>(ahead->balls());
     const double reach = by_events ? end : std::min(end, ahead->time() + most_steps * ahead->dt());
-    const auto begin = std::chrono::steady_clock::now();
+    const double begin = wall_clock();
     while (ahead->time() < reach && points.size() < 4000) {
       // How long an event takes, nobody knows before: with many balls `reference` is slow.
-      const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-      if (by_events && ahead->balls() > 1 && taken.count() > frame_budget) break;
+      if (by_events && ahead->balls() > 1 && wall_clock() - begin > frame_budget) break;
       points.push_back(trace_point(*ahead));
       points.back().t += later;
       const double whole = std::max(1.0, std::round(stride / ahead->dt()));

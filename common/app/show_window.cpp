@@ -18,18 +18,14 @@ bool show_window(const Demo& demo, std::unique_ptr<Simulation> simulation, const
               << "; running without a window instead\n";
     return false;
   }
-  const auto frequency = static_cast<double>(SDL_GetPerformanceFrequency());
-  Uint64 last = SDL_GetPerformanceCounter();
-  double frame = 1.0 / 60;
+  double last = Playback::wall_clock(), frame = 1.0 / 60;
   catch_interrupts();
   while (window->tick(frame) && !interrupted()) {
-    Uint64 now = SDL_GetPerformanceCounter();
-    const double spent = static_cast<double>(now - last) / frequency;
+    const double spent = Playback::wall_clock() - last;
     if (spent < 1.0 / 65)
       SDL_Delay(static_cast<Uint32>((1.0 / 62 - spent) * 1000));  // no vsync here
-    now = SDL_GetPerformanceCounter();
-    frame = static_cast<double>(now - last) / frequency;
-    last = now;
+    frame = Playback::wall_clock() - last;
+    last += frame;
   }
   if (!options.save.empty()) save_state(options.save, demo.stage, window->playback().simulation());
   return true;

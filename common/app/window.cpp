@@ -75,18 +75,15 @@ bool Window::tick(double real_seconds) {
   const ImVec2 at = ImGui::GetIO().MousePos;
   held_.follow(demo_, playback_, view_, clock_, {at.x, at.y});
   if (is_game(demo_) && seen_) play_game(real_seconds);
-  const Uint64 begin = SDL_GetPerformanceCounter();
+  const double begin = Playback::wall_clock();
   if (!held_.is_held()) playback_.frame(real_seconds);
-  const Uint64 moved = SDL_GetPerformanceCounter();
+  const double moved = Playback::wall_clock();
   if (sound_) sound();
   if (seen_ && demo_.is_over && demo_.is_over(playback_)) playback_.restart();
   if ((SDL_GetWindowFlags(window_) & SDL_WINDOW_MINIMIZED) != 0) return !closed_;
-  const Uint64 drawing = SDL_GetPerformanceCounter();
+  const double drawing = Playback::wall_clock();
   draw();
-  const auto seconds = [](Uint64 count) {
-    return static_cast<double>(count) / static_cast<double>(SDL_GetPerformanceFrequency());
-  };
-  panel_->frame_cost.note(seconds(moved - begin), seconds(SDL_GetPerformanceCounter() - drawing));
+  panel_->frame_cost.note(moved - begin, Playback::wall_clock() - drawing);
   SDL_RenderPresent(renderer_);  // waits for the screen, which costs nothing
   return !closed_;
 }

@@ -1,7 +1,6 @@
 #pragma once
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -26,7 +25,7 @@ class LiveBifurcation {
   /// Goes on for so long [s], or begins anew when anything but the amplitude has changed (and the
   /// phase, which a slider takes along). Returns whether it has come to the end.
   bool work(const Simulation& simulation, double seconds) {
-    const auto begin = std::chrono::steady_clock::now();
+    const double begin = Playback::wall_clock();
     OscillatingFloor scene = run_as<OscillatingFloorRun>(simulation).scene();
     scene.amplitude = scene.phase = 0;
     std::vector<std::string> settings;
@@ -38,8 +37,7 @@ class LiveBifurcation {
     }
     while (done_ < columns) {
       compute();
-      const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
-      if (spent.count() > seconds) break;
+      if (Playback::wall_clock() - begin > seconds) break;
     }
     return done_ == columns;
   }

@@ -1,6 +1,5 @@
 #pragma once
 #include <algorithm>
-#include <chrono>
 #include <iostream>
 #include <numbers>
 #include <optional>
@@ -119,7 +118,7 @@ inline std::optional<int> run_sweep(const Simulation& simulation, const Options&
   std::optional<OutputFile> csv;
   if (!options.csv.empty()) csv.emplace("--csv", options.csv);
   if (csv) csv->write(sweep.parameter.name + ",phase,height\n");
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin = Playback::wall_clock();
   std::size_t all = 0;
   catch_interrupts();
   while (sweep.bounces.size() < sweep.values.size() && !interrupted()) {  // else some are kept
@@ -139,12 +138,12 @@ inline std::optional<int> run_sweep(const Simulation& simulation, const Options&
       sweep.bounces.push_back(std::move(bounces));
     }
   }
-  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+  const double wall = Playback::wall_clock() - begin;
   if (csv) csv->finish();
   if (!options.screenshot.empty()) save_bifurcation(sweep, simulation, options, demo);
   std::cerr << demo.stage.name << ": sweep of " << sweep.parameter.name
             << " values=" << sweep.values.size() << " bounces_kept=" << all
-            << " wall_s=" << to_rounded_text(wall.count()) << "\n";
+            << " wall_s=" << to_rounded_text(wall) << "\n";
   return interrupted() ? exit_interrupted : exit_ok;
 }
 
