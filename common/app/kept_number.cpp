@@ -8,9 +8,8 @@
 #include "run/file_name.hpp"
 
 namespace bounce {
-namespace {
 
-std::filesystem::path data_folder() {
+std::filesystem::path kept_folder() {
   const auto variable = [](const char* name) -> std::filesystem::path {
     const char* value = std::getenv(name);
     return path_of(value == nullptr ? "" : value);
@@ -23,18 +22,14 @@ std::filesystem::path data_folder() {
   return {};
 }
 
-}  // namespace
-
-std::string kept_folder() { return name_of(data_folder()); }
-
 int kept_number(const std::string& name) {
   int number = 0;
-  std::ifstream file(data_folder() / (name + ".txt"));
+  std::ifstream file(kept_folder() / (name + ".txt"));
   return file >> number && number > 0 ? number : 0;
 }
 
 void keep_number(const std::string& name, int number) {
-  const std::filesystem::path folder = data_folder();
+  const std::filesystem::path folder = kept_folder();
   if (folder.empty()) return;
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);

@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <string>
 
 namespace bounce {
@@ -8,7 +9,7 @@ namespace bounce {
 /// is.
 int kept_number(const std::string& name);
 /// That folder; empty where there is none. (Not in a page.)
-std::string kept_folder();
+std::filesystem::path kept_folder();
 void keep_number(const std::string& name, int number);
 
 }  // namespace bounce

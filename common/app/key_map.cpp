@@ -2,8 +2,6 @@
 
 #include <vector>
 
-#include "app/kept_number.hpp"
-#include "run/file_name.hpp"
 #include "run/input_file.hpp"
 
 namespace bounce {
@@ -18,11 +16,6 @@ SDL_Scancode key_named(const InputFile& file, const std::string& name) {
 }
 
 }  // namespace
-
-std::string KeyMap::usual_path() {
-  const std::string folder = kept_folder();
-  return folder.empty() ? "" : name_of(path_of(folder) / "keys.txt");
-}
 
 void KeyMap::read(const std::string& path) {
   InputFile file("--keys", path, "it must be a text file with lines such as 'J = A'");

@@ -11,8 +11,6 @@ namespace bounce {
 /// line that begins with # is a comment.
 class KeyMap {
  public:
-  /// Where a player's own file is looked for: keys.txt beside the best scores.
-  static std::string usual_path();
   /// Throws BadInput, with the line that is wrong.
   void read(const std::string& path);
 

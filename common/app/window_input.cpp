@@ -1,4 +1,5 @@
 // What the user does to the window: keys, mouse, and clicks on the chart.
+#include "app/kept_number.hpp"
 #include "app/layout.hpp"
 #include "app/survey.hpp"
 #include "app/window.hpp"
@@ -80,13 +81,14 @@ void Window::key(SDL_Keysym pressed) {
   }
 }
 
-/// A game's own: its player's keys, a controller, fingers.
+/// A game's own: its player's keys (by themselves keys.txt beside the best scores), a controller,
+/// fingers.
 void Window::begin_game() {
-  const std::string usual = KeyMap::usual_path();
+  const std::filesystem::path folder = kept_folder(), usual = folder / "keys.txt";
   if (!demo_.keys.empty()) {
     keys_.read(demo_.keys);
-  } else if (std::filesystem::exists(path_of(usual))) {
-    keys_.read(usual);
+  } else if (!folder.empty() && std::filesystem::exists(usual)) {
+    keys_.read(name_of(usual));
   }
   SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "0");  // a finger moves: it is no button
   gamepad_ = std::make_unique<Gamepad>();
