@@ -35,19 +35,15 @@ Window::Window(const Demo& demo, std::unique_ptr<Simulation> simulation, const O
                bool seen)
     : demo_(demo), seen_(seen), video_(seen), playback_(std::move(simulation)) {
   const std::string title = "Bounce " + demo.title;
-  window_ = SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
-                             layout::width, layout::height, SDL_WINDOW_RESIZABLE);
-  if (window_ != nullptr) {
-    renderer_ = SDL_CreateRenderer(window_, -1, seen ? SDL_RENDERER_PRESENTVSYNC : 0);
-    if (renderer_ == nullptr) renderer_ = SDL_CreateRenderer(window_, -1, SDL_RENDERER_SOFTWARE);
+  window_.reset(SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
+                                 layout::width, layout::height, SDL_WINDOW_RESIZABLE));
+  if (window_) {
+    renderer_.reset(SDL_CreateRenderer(window_.get(), -1, seen ? SDL_RENDERER_PRESENTVSYNC : 0));
+    if (!renderer_) renderer_.reset(SDL_CreateRenderer(window_.get(), -1, SDL_RENDERER_SOFTWARE));
   }
-  if (renderer_ == nullptr) {
-    const std::string why = SDL_GetError();
-    if (window_ != nullptr) SDL_DestroyWindow(window_);
-    throw MachineFailure("no window: " + why);
-  }
-  SDL_RenderSetLogicalSize(renderer_, layout::width, layout::height);
-  backend_ = std::make_unique<ImGuiBackend>(renderer_);
+  if (!renderer_) throw MachineFailure(std::string("no window: ") + SDL_GetError());
+  SDL_RenderSetLogicalSize(renderer_.get(), layout::width, layout::height);
+  backend_ = std::make_unique<ImGuiBackend>(renderer_.get());
   canvas_.load_fonts();
   backend_->upload_fonts();
   panel_ = std::make_unique<Panel>(demo_, seen);
@@ -58,15 +54,6 @@ Window::Window(const Demo& demo, std::unique_ptr<Simulation> simulation, const O
   view_.from_above = options.from_above && demo_.in_space;
   if (!seen) playback_.budget = std::numeric_limits<double>::infinity();
   if (seen && demo_.knock) sound_ = std::make_unique<Sound>();
-}
-
-Window::~Window() {
-  gamepad_.reset();
-  sound_.reset();
-  panel_.reset();
-  backend_.reset();
-  SDL_DestroyRenderer(renderer_);
-  SDL_DestroyWindow(window_);
 }
 
 bool Window::tick(double real_seconds) {
@@ -80,11 +67,11 @@ bool Window::tick(double real_seconds) {
   const double moved = Playback::wall_clock();
   if (sound_) sound();
   if (seen_ && demo_.is_over && demo_.is_over(playback_)) playback_.restart();
-  if ((SDL_GetWindowFlags(window_) & SDL_WINDOW_MINIMIZED) != 0) return !closed_;
+  if ((SDL_GetWindowFlags(window_.get()) & SDL_WINDOW_MINIMIZED) != 0) return !closed_;
   const double drawing = Playback::wall_clock();
   draw();
   panel_->frame_cost.note(moved - begin, Playback::wall_clock() - drawing);
-  SDL_RenderPresent(renderer_);  // waits for the screen, which costs nothing
+  SDL_RenderPresent(renderer_.get());  // waits for the screen, which costs nothing
   return !closed_;
 }
 
@@ -97,9 +84,9 @@ void Window::sound() {
 void Window::draw() {
   canvas_.dark = view_.dark;
   const Colour paper = view_.dark ? palette::darkened(palette::paper) : palette::paper;
-  SDL_SetRenderDrawColor(renderer_, paper.red, paper.green, paper.blue, 255);
-  SDL_RenderClear(renderer_);
-  SDL_SetRenderDrawBlendMode(renderer_, SDL_BLENDMODE_BLEND);
+  SDL_SetRenderDrawColor(renderer_.get(), paper.red, paper.green, paper.blue, 255);
+  SDL_RenderClear(renderer_.get());
+  SDL_SetRenderDrawBlendMode(renderer_.get(), SDL_BLENDMODE_BLEND);
   backend_->begin_frame(layout::width, layout::height);
   demo_.picture(playback_, view_, canvas_);
   if (!demo_.bare) {
@@ -120,7 +107,7 @@ void Window::draw() {
     }
     screenshot_.clear();
   }
-  SDL_RenderFlush(renderer_);  // now, and not when it is presented: so it can be timed
+  SDL_RenderFlush(renderer_.get());  // now, and not when it is presented: so it can be timed
 }
 
 /// Or the survey, and the section, in their place. It computes like the chart.
@@ -161,11 +148,12 @@ void Window::draw_help() {
 
 void Window::read_pixels() {
   int width = 0, height = 0;
-  SDL_GetRendererOutputSize(renderer_, &width, &height);
+  SDL_GetRendererOutputSize(renderer_.get(), &width, &height);
   pixels_.width = width;
   pixels_.height = height;
   pixels_.rgb.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
-  SDL_RenderReadPixels(renderer_, nullptr, SDL_PIXELFORMAT_RGB24, pixels_.rgb.data(), 3 * width);
+  SDL_RenderReadPixels(renderer_.get(), nullptr, SDL_PIXELFORMAT_RGB24, pixels_.rgb.data(),
+                       3 * width);
 }
 
 }  // namespace bounce

@@ -32,9 +32,6 @@ class Window {
  public:
   Window(const Demo& demo, std::unique_ptr<Simulation> simulation, const Options& options,
          bool seen);
-  ~Window();
-  Window(const Window&) = delete;
-  Window& operator=(const Window&) = delete;
 
   /// One frame: events, `real_seconds` of movement, picture. Returns false when the user closed it.
   bool tick(double real_seconds);
@@ -60,9 +57,10 @@ class Window {
 
   const Demo& demo_;
   bool seen_;
+  // Each needs those above it, and is gone before them.
   Video video_;
-  SDL_Window* window_ = nullptr;
-  SDL_Renderer* renderer_ = nullptr;
+  std::unique_ptr<SDL_Window, void (*)(SDL_Window*)> window_{nullptr, SDL_DestroyWindow};
+  std::unique_ptr<SDL_Renderer, void (*)(SDL_Renderer*)> renderer_{nullptr, SDL_DestroyRenderer};
   std::unique_ptr<ImGuiBackend> backend_;
   ImGuiCanvas canvas_;
   Playback playback_;
