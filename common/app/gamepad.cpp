@@ -8,23 +8,17 @@ Gamepad::Gamepad() {
 }
 
 Gamepad::~Gamepad() {
-  let_go();
+  pad_.reset();  // while its subsystem is there
   SDL_QuitSubSystem(SDL_INIT_GAMECONTROLLER);
-}
-
-void Gamepad::let_go() {
-  if (pad_ != nullptr) SDL_GameControllerClose(pad_);
-  pad_ = nullptr;
 }
 
 void Gamepad::handle(const SDL_Event& event, Controls& controls) {
   if (event.type == SDL_CONTROLLERDEVICEADDED) {
-    let_go();
-    pad_ = SDL_GameControllerOpen(event.cdevice.which);
+    pad_.reset(SDL_GameControllerOpen(event.cdevice.which));
   }
   if (event.type == SDL_CONTROLLERDEVICEREMOVED && pad_ != nullptr &&
-      event.cdevice.which == SDL_JoystickInstanceID(SDL_GameControllerGetJoystick(pad_))) {
-    let_go();
+      event.cdevice.which == SDL_JoystickInstanceID(SDL_GameControllerGetJoystick(pad_.get()))) {
+    pad_.reset();
   }
   if (event.type == SDL_CONTROLLERBUTTONDOWN) {
     controls.any = true;
@@ -34,10 +28,10 @@ void Gamepad::handle(const SDL_Event& event, Controls& controls) {
 
 void Gamepad::read(Controls& controls) const {
   const auto axis = [this](SDL_GameControllerAxis which) {
-    return pad_ == nullptr ? 0 : SDL_GameControllerGetAxis(pad_, which);
+    return pad_ == nullptr ? 0 : SDL_GameControllerGetAxis(pad_.get(), which);
   };
   const auto is_down = [this](SDL_GameControllerButton which) {
-    return pad_ != nullptr && SDL_GameControllerGetButton(pad_, which) != 0;
+    return pad_ != nullptr && SDL_GameControllerGetButton(pad_.get(), which) != 0;
   };
   controls.move_x = stick(axis(SDL_CONTROLLER_AXIS_LEFTX));
   controls.move_z = stick(axis(SDL_CONTROLLER_AXIS_LEFTY));

@@ -1,6 +1,8 @@
 #pragma once
 #include <SDL.h>
 
+#include <memory>
+
 #include "app/demo.hpp"
 
 namespace bounce {
@@ -22,8 +24,6 @@ class Gamepad {
  public:
   Gamepad();
   ~Gamepad();
-  Gamepad(const Gamepad&) = delete;
-  Gamepad& operator=(const Gamepad&) = delete;
 
   bool is_there() const { return pad_ != nullptr; }
   void handle(const SDL_Event& event, Controls& controls);
@@ -31,8 +31,8 @@ class Gamepad {
   void read(Controls& controls) const;
 
  private:
-  void let_go();
-  SDL_GameController* pad_ = nullptr;
+  std::unique_ptr<SDL_GameController, void (*)(SDL_GameController*)> pad_{nullptr,
+                                                                          SDL_GameControllerClose};
 };
 
 }  // namespace bounce
