@@ -4,7 +4,6 @@
 #include <emscripten.h>
 
 #include "app/page_calls.hpp"
-#include "app/page_words.hpp"
 
 namespace bounce {
 namespace {

@@ -21,6 +21,12 @@ const char* guard(std::string& answer, const Work& work) {
   return answer.c_str();
 }
 
+/// The simulation that the words of a page ask for: a command line in which each option has a
+/// value, of those that say what is run (--set, --method, --dt, --seed, the stage's own). Throws
+/// BadInput. (The programs' command line writes files, too, and all that would double what a page
+/// loads.)
+std::unique_ptr<Simulation> set_up(int argc, const char* const* argv, const Demo& demo);
+
 /// A dial of the demo's own: whether there is one, and how it is set.
 bool is_dial(const Demo& demo, const std::string& name);
 void set_dial(const Demo& demo, Simulation& simulation, const std::string& name,

@@ -7,7 +7,6 @@
 #include "app/layout.hpp"
 #include "app/page.hpp"
 #include "app/page_calls.hpp"
-#include "app/page_words.hpp"
 #include "app/survey.hpp"
 
 // clang-format off
