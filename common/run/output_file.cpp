@@ -2,11 +2,9 @@
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <system_error>
 
 #include "physics/text.hpp"
-#include "run/file_name.hpp"
 
 #ifdef _WIN32
 #include <fcntl.h>
@@ -20,7 +18,8 @@ namespace bounce {
 
 namespace fs = std::filesystem;
 
-std::string part_path(const std::string& path) {
+/// Where an output stands until it is complete.
+static std::string part_path(const std::string& path) {
 #ifdef _WIN32
   const int process = _getpid();
 #else
@@ -91,6 +90,37 @@ void OutputFile::finish() {
 
 void OutputFile::fail() const {
   throw MachineFailure(option_ + " '" + path_ + "' could not be written: " + std::strerror(errno));
+}
+
+OutputFolder::OutputFolder(const std::string& option, const std::string& path) : option_(option) {
+  std::error_code error;
+  path_ = fs::weakly_canonical(fs::absolute(path_of(path), error), error);
+  if (!path_.has_filename()) path_ = path_.parent_path();  // "name/"
+  const bool free = !fs::exists(path_) || (fs::is_directory(path_) && fs::is_empty(path_, error));
+  if (path.empty() || error || !free) {
+    throw BadInput(option + " '" + path +
+                   "' is not allowed: it must be a folder that does not exist yet, or is empty");
+  }
+  part_ = path_of(part_path(name_of(path_)));
+  if (!fs::create_directory(part_, error) || error) {
+    throw BadInput(option + " '" + path + "' cannot be written (" + error.message() +
+                   "): it must be in a folder that exists and that you may write to");
+  }
+}
+
+OutputFolder::~OutputFolder() {
+  std::error_code error;
+  if (!finished_) fs::remove_all(part_, error);
+}
+
+void OutputFolder::finish() {
+  std::error_code error;
+  fs::rename(part_, path_, error);
+  if (error) {
+    throw MachineFailure(option_ + " '" + name_of(path_) +
+                         "' could not be written: " + error.message());
+  }
+  finished_ = true;
 }
 
 }  // namespace bounce

@@ -1,8 +1,11 @@
 #pragma once
 #include <cstdio>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+
+#include "run/file_name.hpp"
 
 namespace bounce {
 
@@ -11,12 +14,9 @@ struct MachineFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Where an output stands until it is complete: beside its target, as PATH.<process>.part.
-std::string part_path(const std::string& path);
-
-/// A file that appears under its name only when it is complete: it is written at its `part_path`
-/// and renamed by `finish`; without `finish` nothing stays behind. A target that is no regular file
-/// (a device, a pipe) is written directly, and "-" is standard output.
+/// A file that appears under its name only when it is complete: it is written beside it, as
+/// PATH.<process>.part, and renamed by `finish`; without `finish` nothing stays behind. A target
+/// that is no regular file (a device, a pipe) is written directly, and "-" is standard output.
 class OutputFile {
  public:
   /// `option` is what the user gave the path to, for messages ("--csv"). Throws BadInput when the
@@ -43,6 +43,27 @@ class OutputFile {
   std::string path_;
   std::string part_;
   std::FILE* file_ = nullptr;
+};
+
+/// A folder that appears under its name only when all of its files are complete: they are written
+/// into NAME.<process>.part beside it, which `finish` renames; without `finish` nothing stays
+/// behind. A folder that is there already must be empty.
+class OutputFolder {
+ public:
+  /// `option` is what the user gave the path to. Throws BadInput when it cannot be made.
+  OutputFolder(const std::string& option, const std::string& path);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  /// The path of a file in it, to be written before `finish`.
+  std::string file(const std::string& name) const { return name_of(part_ / path_of(name)); }
+  void finish();  // throws MachineFailure
+
+ private:
+  std::string option_;
+  std::filesystem::path path_, part_;
+  bool finished_ = false;
 };
 
 }  // namespace bounce

@@ -8,7 +8,6 @@
 #include "many_balls/lammps_export.hpp"
 #include "run/headless.hpp"
 #include "run/output_file.hpp"
-#include "run/output_folder.hpp"
 
 namespace bounce {
 
