@@ -23,8 +23,10 @@ std::filesystem::path kept_folder() {
 }
 
 int kept_number(const std::string& name) {
+  const std::filesystem::path folder = kept_folder();
+  if (folder.empty()) return 0;
   int number = 0;
-  std::ifstream file(kept_folder() / (name + ".txt"));
+  std::ifstream file(folder / (name + ".txt"));
   return file >> number && number > 0 ? number : 0;
 }
 
